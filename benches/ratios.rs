@@ -1,0 +1,343 @@
+//! Each kernel beside its hand-written twin: same layout, threads and instruction set, in interleaved pairs.
+//!
+//! `cargo bench --bench ratios [-- FILTER]` prints, for each pair, the median times, and the median of the paired ratios with its
+//! 95 % bootstrap interval. `ALLOTROPE_CPU` chooses the instruction set, `PAIRS` the number of pairs (61 unless told).
+//! Before a pair is timed, both results are compared.
+
+mod twins;
+mod workloads;
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use allotrope::prelude::*;
+use twins::transfer::{Apart, Block, Blocks, Interleaved, NodeLists, NodeRecords};
+use twins::{stencils as hand_stencils, streams as hand_streams, transfer as hand};
+use workloads::stencils::{Four, ramp};
+use workloads::transfer::{Mpm, Node, Point, sorted_points};
+use workloads::{stencils, streams, transfer};
+
+/// Pairs of one kernel and one twin.
+struct Pairs {
+    filter: Option<String>,
+    count: usize,
+    cpu: Cpu,
+}
+
+/// Runs `work` as often as takes a few milliseconds, and returns the time of one.
+fn time(repeat: u32, work: &mut dyn FnMut()) -> f64 {
+    let start = Instant::now();
+    for _ in 0..repeat {
+        work();
+    }
+    start.elapsed().as_secs_f64() / f64::from(repeat)
+}
+
+fn median(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let middle = values.len() / 2;
+    if values.len() % 2 == 1 { values[middle] } else { 0.5 * (values[middle - 1] + values[middle]) }
+}
+
+/// The 95 % interval of the median, from 2000 resamples.
+fn bootstrap(values: &[f64]) -> (f64, f64) {
+    let mut state = 1u64;
+    let mut medians: Vec<f64> = (0..2000)
+        .map(|_| {
+            let mut sample: Vec<f64> = (0..values.len())
+                .map(|_| {
+                    state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                    values[(state >> 33) as usize % values.len()]
+                })
+                .collect();
+            median(&mut sample)
+        })
+        .collect();
+    medians.sort_by(f64::total_cmp);
+    (medians[50], medians[1949])
+}
+
+impl Pairs {
+    fn wants(&self, name: &str) -> bool {
+        self.filter.as_ref().is_none_or(|filter| name.contains(filter))
+    }
+
+    fn run(&self, name: &str, mut kernel: impl FnMut(), mut twin: impl FnMut()) {
+        kernel();
+        twin();
+        let once = time(1, &mut twin);
+        let repeat = (0.004 / once).clamp(1.0, 10_000.0) as u32;
+        let (mut ours, mut theirs, mut ratios) = (Vec::new(), Vec::new(), Vec::new());
+        for pair in 0..self.count {
+            // Each goes first as often as second.
+            let (a, b) = if pair % 2 == 0 {
+                let a = time(repeat, &mut kernel);
+                (a, time(repeat, &mut twin))
+            } else {
+                let b = time(repeat, &mut twin);
+                (time(repeat, &mut kernel), b)
+            };
+            ours.push(a);
+            theirs.push(b);
+            ratios.push(a / b);
+        }
+        let (low, high) = bootstrap(&ratios);
+        println!(
+            "| {name} | {} | {:.4} | {:.4} | {:.3} | {low:.3} to {high:.3} |",
+            self.cpu,
+            median(&mut ours) * 1e3,
+            median(&mut theirs) * 1e3,
+            median(&mut ratios)
+        );
+    }
+}
+
+fn same(name: &str, ours: &[f32], theirs: &[f32], tolerance: f32) {
+    assert_eq!(ours.len(), theirs.len(), "{name}: lengths");
+    let worst = ours.iter().zip(theirs).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+    assert!(worst <= tolerance, "{name}: kernel and twin differ by {worst}");
+}
+
+fn stream_pairs(pairs: &Pairs) {
+    for (size, label) in [(1 << 24, "2^24"), (1 << 14, "2^14")] {
+        let input = ramp(size);
+        let mut x = Field::<f32, Aos>::new([size]);
+        x.copy_from_slice(&input);
+        let name = format!("saxpy {label}, row-major");
+        if pairs.wants(&name) {
+            let mut y = Field::<f32, Aos>::new([size]);
+            let mut hand = vec![0.0; size];
+            streams::saxpy(0.5, &x, &mut y);
+            hand_streams::saxpy(pairs.cpu, 0.5, &input, &mut hand);
+            same(&name, &y.to_vec(), &hand, 0.0);
+            pairs.run(
+                &name,
+                || streams::saxpy(black_box(1e-9), &x, &mut y),
+                || hand_streams::saxpy(pairs.cpu, black_box(1e-9), &input, &mut hand),
+            );
+        }
+        let name = format!("sum {label}, row-major");
+        if pairs.wants(&name) {
+            let (ours, theirs) = (streams::sum(&x), hand_streams::sum(pairs.cpu, &input));
+            assert!((ours - theirs).abs() <= 1e-3 * theirs, "{name}: {ours} and {theirs}");
+            pairs.run(
+                &name,
+                || {
+                    black_box(streams::sum(black_box(&x)));
+                },
+                || {
+                    black_box(hand_streams::sum(pairs.cpu, black_box(&input)));
+                },
+            );
+        }
+    }
+}
+
+fn jacobi_pairs(pairs: &Pairs) {
+    let n = 2048;
+    let input = ramp(n * n);
+    let mut rows = Field::<f32, Aos>::new([n, n]);
+    rows.copy_from_slice(&input);
+    let mut right = vec![0.0; n * n];
+    hand_stencils::jacobi_rows(pairs.cpu, n, 0.25, &input, &mut right);
+
+    let name = "Jacobi 2048^2, row-major";
+    if pairs.wants(name) {
+        let mut v = Field::<f32, Aos>::new([n, n]);
+        stencils::jacobi(0.25, &rows, &mut v);
+        same(name, &v.to_vec(), &right, 0.0);
+        let mut hand = vec![0.0; n * n];
+        pairs.run(
+            name,
+            || stencils::jacobi(black_box(0.25), &rows, &mut v),
+            || hand_stencils::jacobi_rows(pairs.cpu, n, black_box(0.25), &input, &mut hand),
+        );
+    }
+    let name = "Jacobi 2048^2, SoA of 4";
+    if pairs.wants(name) {
+        let mut u = Field::<Four, Soa, Ij>::from_shape(n);
+        u.members_mut().u.copy_from_slice(&input);
+        let mut v = Field::<Four, Soa, Ij>::from_shape(n);
+        stencils::jacobi_member(0.25, &u, &mut v);
+        same(name, &v.members().u.to_vec(), &right, 0.0);
+        let mut hand = vec![0.0; n * n];
+        pairs.run(
+            name,
+            || stencils::jacobi_member(black_box(0.25), &u, &mut v),
+            || hand_stencils::jacobi_rows(pairs.cpu, n, black_box(0.25), &input, &mut hand),
+        );
+    }
+    let name = "Jacobi 2048^2, AoS of 4";
+    if pairs.wants(name) {
+        let mut u = Field::<Four, Aos, Ij>::from_shape(n);
+        u.members_mut().u.copy_from_slice(&input);
+        let mut v = Field::<Four, Aos, Ij>::from_shape(n);
+        stencils::jacobi_member(0.25, &u, &mut v);
+        same(name, &v.members().u.to_vec(), &right, 0.0);
+        let records: Vec<[f32; 4]> = input.iter().map(|&u| [u, 0.0, 0.0, 0.0]).collect();
+        let mut hand = vec![[0.0; 4]; n * n];
+        pairs.run(
+            name,
+            || stencils::jacobi_member(black_box(0.25), &u, &mut v),
+            || hand_stencils::jacobi_records(pairs.cpu, n, black_box(0.25), &records, &mut hand),
+        );
+    }
+    blocked_pair::<4>(pairs, n, &rows, &right);
+    blocked_pair::<8>(pairs, n, &rows, &right);
+}
+
+fn blocked_pair<const B: usize>(pairs: &Pairs, n: usize, rows: &Field<f32, Aos, Ij>, right: &[f32]) {
+    let name = format!("Jacobi 2048^2, {B} x {B} blocks");
+    if !pairs.wants(&name) {
+        return;
+    }
+    let u = rows.relayout::<Blocked<B>>();
+    let mut v = Field::<f32, Blocked<B>>::new([n, n]);
+    stencils::jacobi(0.25, &u, &mut v);
+    same(&name, &v.to_vec(), right, 0.0);
+    let place = |i: usize, j: usize| ((i / B) * (n / B) + j / B) * B * B + (i % B) * B + j % B;
+    let (mut input, mut hand) = (vec![0.0; n * n], vec![0.0; n * n]);
+    for (at, value) in rows.iter().enumerate() {
+        input[place(at / n, at % n)] = value;
+    }
+    hand_stencils::jacobi_blocks::<B>(pairs.cpu, n, 0.25, &input, &mut hand);
+    let unfolded: Vec<f32> = (0..n * n).map(|at| hand[place(at / n, at % n)]).collect();
+    same(&name, &unfolded, right, 0.0);
+    pairs.run(
+        &name,
+        || stencils::jacobi(black_box(0.25), &u, &mut v),
+        || hand_stencils::jacobi_blocks::<B>(pairs.cpu, n, black_box(0.25), &input, &mut hand),
+    );
+}
+
+fn laplacian_pairs(pairs: &Pairs) {
+    let (n, name) = (192, "7-point Laplacian 192^3, row-major");
+    if !pairs.wants(name) {
+        return;
+    }
+    let input = ramp(n * n * n);
+    let mut p = Field::<f32, Aos>::new([n, n, n]);
+    p.copy_from_slice(&input);
+    let mut q = Field::<f32, Aos>::new([n, n, n]);
+    let mut hand = vec![0.0; n * n * n];
+    stencils::laplacian(&p, &mut q);
+    hand_stencils::laplacian_rows(pairs.cpu, n, &input, &mut hand);
+    same(name, &q.to_vec(), &hand, 0.0);
+    pairs.run(
+        name,
+        || stencils::laplacian(black_box(&p), &mut q),
+        || hand_stencils::laplacian_rows(pairs.cpu, n, black_box(&input), &mut hand),
+    );
+}
+
+const SIDE: usize = 512;
+
+fn transfer_pairs(pairs: &Pairs) {
+    let list = sorted_points(1 << 18, SIDE);
+    let flat = |p: &Point| {
+        let c = p.c.to_cols_array();
+        [p.x.x, p.x.y, p.v.x, p.v.y, c[0], c[1], c[2], c[3], p.j]
+    };
+    let interleaved = Interleaved(list.iter().map(flat).collect());
+    let apart = Apart {
+        x: list.iter().map(|p| p.x.to_array()).collect(),
+        v: list.iter().map(|p| p.v.to_array()).collect(),
+        c: list.iter().map(|p| p.c.to_cols_array()).collect(),
+        j: list.iter().map(|p| p.j).collect(),
+    };
+    let blocks = Blocks(
+        list.as_chunks::<16>()
+            .0
+            .iter()
+            .map(|block| Block {
+                x: block.map(|p| p.x.to_array()),
+                v: block.map(|p| p.v.to_array()),
+                c: block.map(|p| p.c.to_cols_array()),
+                j: block.map(|p| p.j),
+            })
+            .collect(),
+    );
+    transfer_pair::<Aos, Aos, _, _>(pairs, "AoS x AoS", &list, &interleaved, NodeRecords(vec![[0.0; 3]; SIDE * SIDE]));
+    transfer_pair::<Soa, Aos, _, _>(pairs, "SoA x AoS", &list, &apart, NodeRecords(vec![[0.0; 3]; SIDE * SIDE]));
+    transfer_pair::<AoSoA<16>, Aos, _, _>(pairs, "AoSoA16 x AoS", &list, &blocks, NodeRecords(vec![[0.0; 3]; SIDE * SIDE]));
+    let lists = || NodeLists { v: vec![[0.0; 2]; SIDE * SIDE], m: vec![0.0; SIDE * SIDE] };
+    transfer_pair::<Aos, Soa, _, _>(pairs, "AoS x SoA", &list, &interleaved, lists());
+    transfer_pair::<Soa, Soa, _, _>(pairs, "SoA x SoA", &list, &apart, lists());
+    transfer_pair::<AoSoA<16>, Soa, _, _>(pairs, "AoSoA16 x SoA", &list, &blocks, lists());
+}
+
+fn transfer_pair<LP: Layout<I>, LG: Layout<Ij>, P: hand::Points + Clone, N: hand::Nodes>(
+    pairs: &Pairs,
+    label: &str,
+    list: &[Point],
+    hand_points: &P,
+    mut hand_grid: N,
+) {
+    let mpm = Mpm::new(SIDE);
+    let mut points = Field::<Point, LP>::new([list.len()]);
+    for (n, &point) in list.iter().enumerate() {
+        points.set(n, point);
+    }
+    let mut grid = Field::<Node, LG>::new([SIDE, SIDE]);
+    let velocities = |grid: &Field<Node, LG, Ij>| grid.iter().flat_map(|n| n.v.to_array()).collect::<Vec<_>>();
+
+    transfer::particle_to_grid(&points, &mut grid, &mpm);
+    hand::particle_to_grid(pairs.cpu, hand_points, &mut hand_grid, SIDE, &mpm);
+    let theirs: Vec<f32> = (0..SIDE * SIDE).flat_map(|n| hand_grid.v(n).to_array()).collect();
+    same(label, &velocities(&grid), &theirs, 1e-9);
+    let name = format!("P2G 2^18 on 512^2, {label}");
+    if pairs.wants(&name) {
+        pairs.run(
+            &name,
+            || transfer::particle_to_grid(&points, &mut grid, black_box(&mpm)),
+            || hand::particle_to_grid(pairs.cpu, hand_points, &mut hand_grid, SIDE, black_box(&mpm)),
+        );
+    }
+    let name = format!("G2P 2^18 on 512^2, {label}");
+    if pairs.wants(&name) {
+        // A grid at rest, so that the particles stay where they are.
+        grid.fill(Node::default());
+        let mut moved = hand_points.clone();
+        let mut hand_grid = hand_grid;
+        for n in 0..SIDE * SIDE {
+            let v = hand_grid.v(n);
+            hand_grid.add(n, -v, 0.0);
+        }
+        pairs.run(
+            &name,
+            || transfer::grid_to_particle(&mut points, &grid, black_box(&mpm)),
+            || hand::grid_to_particle(pairs.cpu, &mut moved, &hand_grid, SIDE, black_box(&mpm)),
+        );
+        let ours: Vec<f32> = points.iter().flat_map(|p| [p.x.x, p.x.y, p.j]).collect();
+        let theirs: Vec<f32> = (0..list.len()).flat_map(|p| [moved.x(p).x, moved.x(p).y, moved.j(p)]).collect();
+        same(&name, &ours, &theirs, 0.0);
+    }
+}
+
+/// Square fields, without naming the axes twice.
+trait FromShape {
+    fn from_shape(n: usize) -> Self;
+}
+impl<R: Record, L: Layout<Ij>> FromShape for Field<R, L, Ij> {
+    fn from_shape(n: usize) -> Self {
+        Field::<R, L>::new([n, n])
+    }
+}
+
+fn main() {
+    let filter = std::env::args().skip(1).find(|arg| !arg.starts_with('-'));
+    let count = std::env::var("PAIRS").ok().and_then(|text| text.parse().ok()).unwrap_or(61);
+    let schedule = Schedule { threads: 1, ..Schedule::default() };
+    let pairs = Pairs { filter, count, cpu: schedule.instruction_set() };
+    println!("| kernel | set | kernel ms | twin ms | ratio | 95 % interval |");
+    println!("|---|---|---|---|---|---|");
+    let start = Instant::now();
+    schedule.run(|| {
+        stream_pairs(&pairs);
+        jacobi_pairs(&pairs);
+        laplacian_pairs(&pairs);
+        transfer_pairs(&pairs);
+    });
+    let spent: Duration = start.elapsed();
+    println!("\n{} pairs a line, one thread, {:.0} s in all", pairs.count, spent.as_secs_f64());
+}

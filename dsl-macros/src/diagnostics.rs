@@ -1,0 +1,280 @@
+//! Errors: codes, wording, and the sink that collects them.
+//!
+//! A macro reports everything it finds, at the user's tokens, and only then stops. Each error has a code that never
+//! changes its meaning; a page of the reference explains each.
+
+use std::fmt;
+
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use quote::ToTokens;
+
+/// Declares the one list of all codes. A new diagnostic is one line here.
+macro_rules! codes {
+    ($($(#[$doc:meta])* $name:ident = $code:ident,)*) => {
+        /// A stable error code.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub(crate) enum Code { $($(#[$doc])* $name,)* }
+
+        impl Code {
+            /// All codes, in the order of their numbers.
+            #[cfg(test)]
+            pub(crate) const ALL: &'static [Code] = &[$(Code::$name,)*];
+
+            /// The code as users see it, such as `A0101`.
+            pub(crate) const fn text(self) -> &'static str {
+                match self { $(Code::$name => stringify!($code),)* }
+            }
+        }
+    };
+}
+
+codes! {
+    /// `#[kernel]` on something that is not a function with a body.
+    NotAFunction = A0101,
+    /// An `async`, `const`, `extern` or `unsafe` kernel.
+    KernelQualifier = A0102,
+    /// An option of `#[kernel(..)]` that does not exist, or not yet.
+    KernelOption = A0103,
+    /// A field that is not taken by reference.
+    FieldByValue = A0104,
+    /// A field's parameter that is not a plain name.
+    FieldPattern = A0105,
+    /// A `_` where only the layout may be left open.
+    OpenParameter = A0106,
+    /// A kind of parameter that is not available yet.
+    ParameterKind = A0107,
+    /// A parallel loop over something that is not in the list of heads.
+    LoopHead = A0110,
+    /// A range with its end included, or without an end.
+    LoopRange = A0111,
+    /// A pattern of a parallel loop that is neither a name nor a tuple of names.
+    LoopPattern = A0112,
+    /// A loop head of the language that is not available yet.
+    UnavailableHead = A0113,
+    /// A loop attribute of the language that is not available yet.
+    UnavailableAttribute = A0114,
+    /// `#[scatter(..)]` that names no schedule, or not on a parallel loop.
+    ScatterAttribute = A0115,
+    /// `break`, `return`, `?` or `.await` out of a parallel loop.
+    LoopEscape = A0116,
+    /// `unroll!` with a form that cannot be unrolled.
+    UnrollForm = A0117,
+    /// `unroll!` or `ndrange!` that is not the head of a loop, or over no ranges.
+    HeadMacro = A0118,
+    /// A serial loop, over time say, outermost, where it would be the parallel one.
+    OutermostLoop = A0119,
+    /// A loop variable, field or reduction whose name is bound again.
+    Rebinding = A0120,
+    /// A macro that is handed a loop variable, a field or a reduction.
+    OpaqueMacro = A0121,
+    /// A macro defined in a parallel loop that mentions such a name.
+    MacroDefinition = A0122,
+    /// A member written at an iteration's own index and read at another.
+    InPlaceStencil = A0201,
+    /// A member written at an index that several iterations may share.
+    PlainScatter = A0202,
+    /// A member accumulated into at any index and read.
+    AccumulateBesideRead = A0203,
+    /// A member accumulated into with operators of two groups.
+    MixedOperators = A0204,
+    /// A written member indexed with the loop's variables in different places.
+    OwnPlaces = A0205,
+    /// A member written plainly and accumulated into at any index.
+    AccumulateBesideWrite = A0206,
+    /// A write through `&Field`.
+    SharedWrite = A0207,
+    /// An index with the wrong number of axes.
+    IndexCount = A0208,
+    /// A constant offset wider than the border that `interior` leaves out.
+    InteriorOffset = A0209,
+    /// The value of an accumulation, which has none.
+    AccumulateValue = A0210,
+    /// An accumulation into one component at an index that is not the iteration's own.
+    AccumulateComponent = A0211,
+    /// A compound assignment that is no accumulation, at an index that is not the iteration's own.
+    OperatorScatter = A0212,
+    /// A field or a member bound to a variable, or a member without an index.
+    Alias = A0213,
+    /// A field or a member handed on whole inside a parallel loop.
+    HandedOn = A0214,
+    /// A method of the language that is not available yet.
+    UnavailableMethod = A0215,
+    /// A method of a field that cannot be called inside a parallel loop.
+    FieldMethod = A0216,
+    /// A reduction that is read in the loop that accumulates into it.
+    ReductionRead = A0217,
+    /// A reduction with operators of two groups.
+    ReductionOperators = A0218,
+    /// A variable from outside a parallel loop that the loop assigns.
+    OuterAssigned = A0219,
+    /// A reduction into a part of a variable.
+    ReductionPart = A0220,
+    /// Elements as targets of a destructuring assignment.
+    Destructuring = A0221,
+    /// A function of the language that is not available yet.
+    UnavailableFunction = A0222,
+    /// An enum or a union as a record.
+    NotAStruct = A0301,
+    /// A record whose members have no names.
+    UnnamedMembers = A0302,
+    /// A record with generic parameters.
+    GenericRecord = A0303,
+    /// A record without members, or with too many.
+    MemberCount = A0304,
+    /// A word in a layout that is neither node nor place.
+    UnknownNode = A0401,
+    /// A word of layouts that this version does not have.
+    LaterNode = A0402,
+    /// An axis other than `i j k l`.
+    UnknownAxis = A0403,
+    /// An axis twice in one node.
+    AxisTwice = A0404,
+    /// A layout that leaves an axis out.
+    MissingAxis = A0405,
+    /// A size that is no positive integer, or too large.
+    WrongSize = A0406,
+    /// An inner node without a size.
+    NoSize = A0407,
+    /// More or fewer sizes than axes.
+    SizeCount = A0408,
+    /// A layout without a place.
+    NoPlace = A0409,
+    /// A word after the place.
+    AfterPlace = A0410,
+    /// A layout that does not begin with a node.
+    NoNode = A0411,
+    /// A member placed twice.
+    PlacedTwice = A0412,
+    /// Members placed without saying whose they are.
+    NoRecord = A0413,
+    /// A group of members that is none.
+    WrongGroup = A0414,
+    /// A placed member whose name is too long.
+    LongName = A0415,
+    /// Arguments that a node or a place does not take.
+    WrongArguments = A0416,
+    /// Something that is no chain of nodes.
+    NotALayout = A0417,
+}
+
+impl fmt::Display for Code {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.text())
+    }
+}
+
+/// One error: where, what, and what to write instead.
+#[derive(Debug)]
+pub(crate) struct Diagnostic {
+    code: Code,
+    at: TokenStream,
+    message: String,
+    lines: Vec<String>,
+}
+
+impl Diagnostic {
+    /// Adds a line that says what to write instead.
+    pub(crate) fn help(&mut self, text: impl Into<String>) -> &mut Self {
+        self.lines.push(format!("= help: {}", text.into()));
+        self
+    }
+
+    /// Adds a line that says why, or where the other half of a clash stands.
+    pub(crate) fn note(&mut self, text: impl Into<String>) -> &mut Self {
+        self.lines.push(format!("= note: {}", text.into()));
+        self
+    }
+
+    /// The whole text: message, code, notes and helps.
+    pub(crate) fn text(&self) -> String {
+        let mut text = format!("{} [{}]", self.message, self.code);
+        for line in &self.lines {
+            text.push('\n');
+            text.push_str(line);
+        }
+        text
+    }
+
+    /// The code.
+    #[cfg(test)]
+    pub(crate) fn code(&self) -> Code {
+        self.code
+    }
+}
+
+/// Where an error stands: a reference to tokens, or a span.
+pub(crate) trait Place {
+    /// Tokens with the spans to underline.
+    fn tokens(&self) -> TokenStream;
+}
+
+impl<T: ToTokens> Place for &T {
+    fn tokens(&self) -> TokenStream {
+        self.to_token_stream()
+    }
+}
+
+impl Place for Span {
+    fn tokens(&self) -> TokenStream {
+        TokenTree::from(Ident::new("here", *self)).into()
+    }
+}
+
+/// Collects the errors of one macro call.
+#[derive(Debug, Default)]
+pub(crate) struct Diagnostics {
+    errors: Vec<Diagnostic>,
+    syntax: TokenStream,
+}
+
+impl Diagnostics {
+    /// Reports an error at `at`: the user's tokens (their first to their last is underlined), or a span.
+    pub(crate) fn error(&mut self, code: Code, at: impl Place, message: impl Into<String>) -> &mut Diagnostic {
+        let place = self.errors.len();
+        self.errors.push(Diagnostic { code, at: at.tokens(), message: message.into(), lines: Vec::new() });
+        &mut self.errors[place]
+    }
+
+    /// Reports what is no Rust at all, in syn's words.
+    pub(crate) fn syntax(&mut self, error: syn::Error) {
+        self.syntax.extend(error.into_compile_error());
+    }
+
+    /// Whether nothing was reported.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.errors.is_empty() && self.syntax.is_empty()
+    }
+
+    /// The errors so far, in the order of their reports.
+    #[cfg(test)]
+    pub(crate) fn errors(&self) -> &[Diagnostic] {
+        &self.errors
+    }
+
+    /// One `compile_error!` for each error, as items.
+    pub(crate) fn into_compile_errors(self) -> TokenStream {
+        let errors = self.errors.into_iter();
+        let errors = errors.map(|error| syn::Error::new_spanned(&error.at, error.text()).into_compile_error());
+        self.syntax.into_iter().chain(errors.flatten()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn codes_are_distinct_and_ascending() {
+        for pair in Code::ALL.windows(2) {
+            assert!(pair[0].text() < pair[1].text(), "{} must stand before {}", pair[0], pair[1]);
+        }
+    }
+
+    #[test]
+    fn text_has_code_notes_and_helps() {
+        let mut diagnostics = Diagnostics::default();
+        diagnostics.error(Code::NotAFunction, &quote::quote!(x), "`x` is wrong").note("why").help("write `y`");
+        assert_eq!(diagnostics.errors()[0].text(), "`x` is wrong [A0101]\n= note: why\n= help: write `y`");
+        assert!(diagnostics.into_compile_errors().to_string().contains("compile_error"));
+    }
+}

@@ -1,0 +1,321 @@
+//! The analysis of one parallel loop: which accesses clash, and what view each gets.
+
+use std::collections::BTreeMap;
+
+use syn::Ident;
+
+use super::model::{Access, Action, Group, Kernel, Op, Place, Slot};
+
+/// What an access means for others.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Use {
+    Read,
+    Write,
+    /// A compound assignment, with the group that it accumulates in.
+    Update(Op, Option<Group>),
+}
+
+impl Access {
+    /// What the access means for others.
+    pub(crate) fn usage(&self) -> Use {
+        match &self.action {
+            Action::Read => Use::Read,
+            Action::Write { .. } => Use::Write,
+            Action::Update { op, .. } => Use::Update(*op, op.group()),
+        }
+    }
+
+    /// Whether it changes the field.
+    pub(crate) fn changes(&self) -> bool {
+        self.usage() != Use::Read
+    }
+
+    /// Whether every iteration has this index for itself.
+    pub(crate) fn is_own(&self) -> bool {
+        matches!(self.place, Place::Own | Place::Places(_))
+    }
+
+    /// Whether it could be an accumulation: a compound assignment of a whole member, of a group.
+    fn accumulates(&self) -> Option<Group> {
+        match &self.action {
+            Action::Update { part, op, .. } if part.is_empty() => op.group(),
+            _ => None,
+        }
+    }
+
+    /// Whether two accesses may concern the same memory if their indices are the same.
+    fn overlaps(&self, other: &Access) -> bool {
+        let shorter = self.path.len().min(other.path.len());
+        self.field == other.field && self.path[..shorter] == other.path[..shorter]
+    }
+
+    /// Whether some loop variable stands in no common place of two own indices.
+    fn places_differ(&self, other: &Access) -> bool {
+        match (&self.place, &other.place) {
+            (Place::Places(a), Place::Places(b)) => {
+                let count = a.iter().chain(b).filter_map(Slot::variable).max().map_or(0, |last| last + 1);
+                let together = |variable| a.iter().zip(b).any(|(a, b)| a.variable() == Some(variable) && b.variable() == Some(variable));
+                a.len() != b.len() || !(0..count).all(together)
+            }
+            (Place::Own, Place::Own) => false,
+            _ => true,
+        }
+    }
+}
+
+impl Slot {
+    fn variable(&self) -> Option<usize> {
+        match self {
+            Slot::Variable(number) => Some(*number),
+            Slot::Free => None,
+        }
+    }
+}
+
+/// Two accesses that must not stand in one parallel loop; both may be the same one.
+pub(crate) struct Clash {
+    /// Where the error stands: the access that is not at the own index, if either.
+    pub(crate) access: usize,
+    pub(crate) other: usize,
+    pub(crate) why: Why,
+}
+
+/// Why two accesses clash.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Why {
+    /// A plain write at an index that iterations may share.
+    Scatter,
+    /// The same with an operator that is no accumulation.
+    OperatorScatter,
+    /// The same into a component.
+    ComponentScatter,
+    /// A read at another index beside a write at the own.
+    Stencil,
+    /// A read beside an accumulation.
+    ReadBesideAccumulation,
+    /// A write beside an accumulation at any index.
+    WriteBesideAccumulation,
+    /// Accumulations of two groups.
+    Groups,
+    /// Own indices with the variables in different places.
+    Places,
+}
+
+/// The clashes of a loop: for each field and reason, the first of each pair of kinds.
+pub(crate) fn clashes(kernel: &Kernel, number: usize) -> Vec<Clash> {
+    let accesses = &kernel.loops[number].accesses;
+    let mut found: Vec<Clash> = Vec::new();
+    for (place, &b) in accesses.iter().enumerate() {
+        if let Some(why) = alone(kernel.access(b)) {
+            found.push(Clash { access: b, other: b, why });
+            continue;
+        }
+        for &a in &accesses[..place] {
+            if alone(kernel.access(a)).is_some() {
+                continue;
+            }
+            if let Some((access, other, why)) = pair(kernel, a, b) {
+                found.push(Clash { access, other, why });
+            }
+        }
+    }
+    // One error for each member and reason: the others are the same fault.
+    let mut seen: Vec<(usize, &[Ident], Why)> = Vec::new();
+    found.retain(|clash| {
+        let access = kernel.access(clash.access);
+        let key = (access.field, access.path.as_slice(), clash.why);
+        let distinct = matches!(clash.why, Why::Scatter | Why::OperatorScatter | Why::ComponentScatter);
+        let new = distinct || !seen.contains(&key);
+        seen.push(key);
+        new
+    });
+    found
+}
+
+/// Why an access cannot stand in a parallel loop at all.
+fn alone(access: &Access) -> Option<Why> {
+    if access.is_own() {
+        return None;
+    }
+    match &access.action {
+        Action::Read => None,
+        Action::Write { .. } => Some(Why::Scatter),
+        Action::Update { op, .. } if op.group().is_none() => Some(Why::OperatorScatter),
+        Action::Update { part, .. } if !part.is_empty() => Some(Why::ComponentScatter),
+        Action::Update { .. } => None,
+    }
+}
+
+/// Why two accesses cannot stand in one parallel loop, with the one to complain about first.
+fn pair(kernel: &Kernel, first: usize, second: usize) -> Option<(usize, usize, Why)> {
+    let (a, b) = (kernel.access(first), kernel.access(second));
+    if !a.overlaps(b) || !(a.changes() || b.changes()) {
+        return None;
+    }
+    if a.is_own() && b.is_own() {
+        return a.places_differ(b).then_some((second, first, Why::Places));
+    }
+    if let (Some(x), Some(y)) = (a.accumulates(), b.accumulates()) {
+        return (x != y).then_some((second, first, Why::Groups));
+    }
+    // One of the two is at a foreign index, and both are not accumulations.
+    let (foreign, other) = if a.is_own() || (!b.is_own() && a.changes()) { (second, first) } else { (first, second) };
+    let (f, o) = (kernel.access(foreign), kernel.access(other));
+    let why = match (f.changes(), o.changes()) {
+        (false, true) if o.is_own() => Why::Stencil,
+        (false, true) | (true, false) => Why::ReadBesideAccumulation,
+        _ => Why::WriteBesideAccumulation,
+    };
+    Some((foreign, other, why))
+}
+
+/// How the expansion reaches a member.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum View {
+    /// Own index, no check.
+    Own,
+    /// Own index in other places, checked.
+    OwnFree,
+    /// Read at the own index plus a constant; empty for none over axes whose number is not known.
+    Row(Vec<i32>),
+    /// Read at any index.
+    Any,
+    /// Accumulate at any index.
+    Accumulate,
+}
+
+/// A view of a member.
+#[derive(Clone)]
+pub(crate) struct Planned {
+    pub(crate) field: usize,
+    pub(crate) path: Vec<Ident>,
+    pub(crate) view: View,
+}
+
+/// Boxes of offsets, a field each: the lowest and highest along each axis.
+pub(crate) type Reach = BTreeMap<usize, (Vec<i32>, Vec<i32>)>;
+
+/// What the expansion of a loop needs to know beside the model.
+#[derive(Clone)]
+pub(crate) struct Plan {
+    /// The views, in the order of first use.
+    pub(crate) views: Vec<Planned>,
+    /// The view of each access, by node.
+    pub(crate) view_of: BTreeMap<usize, usize>,
+    /// The fields in use, and whether the loop changes them.
+    pub(crate) fields: BTreeMap<usize, bool>,
+    /// Whether own writes are held back until the end of a run.
+    pub(crate) light: bool,
+    /// Fields with two own views that overlap: their writes are never held back.
+    pub(crate) overlapping: Vec<usize>,
+    /// The offsets to check once a launch.
+    pub(crate) reach: Reach,
+    /// The largest offset along each axis.
+    pub(crate) halo: Option<Vec<i32>>,
+    /// The fields accumulated into, in the order of their slots, with their members.
+    pub(crate) targets: Vec<(usize, Vec<Accumulated>)>,
+}
+
+/// A member, and the group of operators that accumulates into it.
+pub(crate) type Accumulated = (Vec<Ident>, Group);
+
+/// Plans a loop without clashes.
+pub(crate) fn plan(kernel: &Kernel, number: usize) -> Plan {
+    let parallel = &kernel.loops[number];
+    let mut plan = Plan {
+        views: Vec::new(),
+        view_of: BTreeMap::new(),
+        fields: BTreeMap::new(),
+        light: !parallel.loops,
+        overlapping: Vec::new(),
+        reach: BTreeMap::new(),
+        halo: parallel.rank.map(|rank| vec![0; rank]),
+        targets: Vec::new(),
+    };
+    for field in &parallel.shapes {
+        plan.fields.insert(*field, false);
+    }
+    if let Some(field) = parallel.head.field() {
+        plan.fields.insert(field, false);
+    }
+    for &node in &parallel.accesses {
+        let access = kernel.access(node);
+        *plan.fields.entry(access.field).or_default() |= access.changes();
+        let view = view(kernel, number, access);
+        plan.note_reach(parallel.head.field(), parallel.rank, access, &view);
+        plan.light &= matches!(view, View::Own | View::Row(_));
+        if view == View::Accumulate {
+            plan.note_target(access);
+        }
+        let same = |planned: &Planned| planned.field == access.field && planned.path == access.path && planned.view == view;
+        let place = plan.views.iter().position(same).unwrap_or_else(|| {
+            plan.views.push(Planned { field: access.field, path: access.path.clone(), view });
+            plan.views.len() - 1
+        });
+        plan.view_of.insert(node, place);
+    }
+    plan.note_overlaps();
+    plan
+}
+
+/// The first row of the language's table that fits.
+fn view(kernel: &Kernel, number: usize, access: &Access) -> View {
+    let others = || kernel.loops[number].accesses.iter().map(|node| kernel.access(*node)).filter(|other| access.overlaps(other));
+    if !others().any(Access::changes) {
+        return match &access.place {
+            Place::Own => View::Row(kernel.loops[number].rank.map_or(Vec::new(), |rank| vec![0; rank])),
+            Place::Offset(offset) => View::Row(offset.clone()),
+            Place::Places(_) | Place::Computed => View::Any,
+        };
+    }
+    let owned = others().all(|other| other.is_own() || !(other.changes() || access.changes()));
+    match (&access.place, owned) {
+        (Place::Own, true) => View::Own,
+        (Place::Places(_), true) => View::OwnFree,
+        _ => View::Accumulate,
+    }
+}
+
+impl Plan {
+    /// Offsets that the launch checks once, box against box.
+    fn note_reach(&mut self, own: Option<usize>, rank: Option<usize>, access: &Access, view: &View) {
+        let offset = match view {
+            View::Row(offset) => offset.clone(),
+            View::Own => rank.map_or(Vec::new(), |rank| vec![0; rank]),
+            _ => return,
+        };
+        if let Some(halo) = &mut self.halo {
+            halo.iter_mut().zip(&offset).for_each(|(halo, offset)| *halo = (*halo).max(offset.saturating_abs()));
+        }
+        if own == Some(access.field) && offset.iter().all(|offset| *offset == 0) {
+            return;
+        }
+        let (low, high) = self.reach.entry(access.field).or_insert_with(|| (offset.clone(), offset.clone()));
+        low.iter_mut().zip(&offset).for_each(|(low, offset)| *low = (*low).min(*offset));
+        high.iter_mut().zip(&offset).for_each(|(high, offset)| *high = (*high).max(*offset));
+    }
+
+    fn note_target(&mut self, access: &Access) {
+        let Some(group) = access.accumulates() else { return };
+        let slot = self.targets.iter().position(|(field, _)| *field == access.field).unwrap_or_else(|| {
+            self.targets.push((access.field, Vec::new()));
+            self.targets.len() - 1
+        });
+        let members = &mut self.targets[slot].1;
+        if !members.iter().any(|(path, _)| *path == access.path) {
+            members.push((access.path.clone(), group));
+        }
+    }
+
+    fn note_overlaps(&mut self) {
+        let own: Vec<&Planned> = self.views.iter().filter(|planned| planned.view == View::Own).collect();
+        for (place, a) in own.iter().enumerate() {
+            for b in &own[..place] {
+                let shorter = a.path.len().min(b.path.len());
+                if a.field == b.field && a.path[..shorter] == b.path[..shorter] {
+                    self.overlapping.push(a.field);
+                }
+            }
+        }
+    }
+}

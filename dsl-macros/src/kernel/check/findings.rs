@@ -1,0 +1,96 @@
+//! What was found on the way: most of it concerns single expressions.
+
+use super::{loops, variables};
+use crate::diagnostics::{Code, Diagnostics};
+use crate::kernel::model::{Finding, Kernel, What};
+
+pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
+    for finding in &kernel.findings {
+        if !loops::report(finding, diagnostics) && !variables::report(finding, diagnostics) {
+            elements(kernel, finding, diagnostics);
+        }
+    }
+}
+
+/// Fields, members and elements in places where they cannot stand.
+fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
+    let at = &finding.spot.tokens;
+    let text = finding.spot.text();
+    match &finding.what {
+        What::BareMember { field, in_loop } => {
+            let name = &kernel.fields[*field].name;
+            let error = diagnostics.error(Code::Alias, at, format!("`{text}` needs an index"));
+            error.note("a member is reached one element at a time");
+            if *in_loop {
+                error.help(format!("write `{text}[..]`"));
+            } else {
+                error.help(format!("write `{text}[..]`, or `{name}.members()` for whole members outside of loops"));
+            }
+        }
+        What::BareField { field } => {
+            let name = &kernel.fields[*field].name;
+            diagnostics
+                .error(Code::HandedOn, at, format!("the field `{name}` can only be indexed inside a parallel loop"))
+                .note("the loop holds the field, and finds what each iteration touches by the indices")
+                .help(format!("write `{name}[..]`; `{name}.len()` and `{name}.shape()` may be asked as well"));
+        }
+        What::Alias => {
+            diagnostics
+                .error(Code::Alias, at, format!("`{text}` cannot be bound to a variable"))
+                .note("the kernel finds accesses by the names of its fields, and would not see those through the variable")
+                .help(format!("write `{}[..]` at each use, or bind one element's value", bare(&text)));
+        }
+        What::Argument { function } => {
+            diagnostics
+                .error(Code::HandedOn, at, format!("`{text}` cannot be handed to `{function}` inside a parallel loop"))
+                .note("functions that take members (`#[func]`) are not available in this version")
+                .help(format!("read the values first and hand those on: `{}[..]`", bare(&text)));
+        }
+        What::FieldMethod { field, name, later } => {
+            let field = &kernel.fields[*field].name;
+            if *later {
+                let message = format!("`{name}` on a field is not available in this version");
+                let error = diagnostics.error(Code::UnavailableMethod, at, message);
+                if ["or", "clamped", "wrapped"].contains(&name.as_str()) {
+                    error.help("test the index, and read at one that lies inside");
+                }
+            } else {
+                diagnostics
+                    .error(Code::FieldMethod, at, format!("`{field}.{name}` cannot be called inside a parallel loop"))
+                    .note("the loop holds the field until it ends")
+                    .help(format!("call it before or after the loop; inside, elements are read and written as `{field}[..]`"));
+            }
+        }
+        What::ElementMethod { name } => {
+            diagnostics
+                .error(Code::UnavailableMethod, at, format!("`{name}` on an element is not available in this version"))
+                .help("accumulate with `+=`, `min_assign` or their like; where the old value is needed, write `#[serial]` before the loop");
+        }
+        What::AssignmentValue { text, accumulates } => {
+            let error = diagnostics.error(Code::AccumulateValue, at, format!("`{text}` has no value"));
+            if *accumulates {
+                error
+                    .note("an old value would depend on the order of the threads; `fetch_add` is not available in this version")
+                    .help("write the accumulation as a statement; where the old value is needed, write `#[serial]` before the loop");
+            } else {
+                error.help("write the assignment as a statement");
+            }
+        }
+        What::Destructuring => {
+            diagnostics
+                .error(Code::Destructuring, at, "an element cannot be a target of a destructuring assignment")
+                .help("bind the values first, and assign each element by itself: `let (a, b) = ..; u[i] = a; v[i] = b;`");
+        }
+        What::Random => {
+            diagnostics
+                .error(Code::UnavailableFunction, at, "`random` is a word of the language that is not available in this version")
+                .help("call a function of your own under another name, or by its path: `self::random(..)`");
+        }
+        _ => unreachable!("loops and variables are judged elsewhere"),
+    }
+}
+
+/// The name behind `&` and `&mut`.
+fn bare(text: &str) -> &str {
+    text.trim_start_matches(['&', '*']).trim_start_matches("mut ")
+}

@@ -1,0 +1,113 @@
+//! The number of places in an index, offsets against borders, and writes through `&Field`.
+
+use std::collections::BTreeSet;
+
+use super::super::syntax::{bare, integer, name_of, parts};
+use crate::diagnostics::{Code, Diagnostics};
+use crate::kernel::model::{Access, Head, Kernel, Loop, Node, Place};
+use crate::kernel::text::text;
+
+pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
+    for found in &kernel.loops {
+        variables(kernel, found, diagnostics);
+    }
+    let mut told = BTreeSet::new();
+    for node in &kernel.nodes {
+        let Node::Access(access) = node else { continue };
+        count(kernel, access, diagnostics);
+        if access.changes() && !kernel.fields[access.field].mutable && told.insert(access.field) {
+            shared_write(kernel, access, diagnostics);
+        }
+        if let Some(number) = access.parallel {
+            border(&kernel.loops[number], access, diagnostics);
+        }
+    }
+}
+
+fn axes(count: usize) -> String {
+    if count == 1 { "1 axis".to_owned() } else { format!("{count} axes") }
+}
+
+/// An index for that many axes.
+fn example(count: usize) -> &'static str {
+    match count {
+        0 => "()",
+        1 => "i",
+        2 => "(i, j)",
+        3 => "(i, j, k)",
+        _ => "(i, j, k, l)",
+    }
+}
+
+/// The loop's variables against its space.
+fn variables(kernel: &Kernel, found: &Loop, diagnostics: &mut Diagnostics) {
+    let (what, rank) = match &found.head {
+        Head::Ranges(ranges) if ranges.len() > 3 => {
+            diagnostics
+                .error(Code::LoopRange, &found.spot.tokens, "a parallel loop over more than three ranges is not available in this version")
+                .help("loop over the first three, and over the others inside");
+            return;
+        }
+        Head::Ranges(ranges) => ("the loop's head".to_owned(), Some(ranges.len())),
+        head => match head.field() {
+            Some(field) => (format!("`{}`", kernel.fields[field].name), kernel.fields[field].rank),
+            None => return,
+        },
+    };
+    let Some(rank) = rank else { return };
+    if found.tuple && found.variables.len() != rank {
+        let message = format!("{what} has {}, and the loop names {}", axes(rank), found.variables.len());
+        diagnostics
+            .error(Code::IndexCount, &found.spot.tokens, message)
+            .help(format!("write `for {} in ..`", example(rank)));
+    }
+}
+
+/// The places of an index against its field.
+fn count(kernel: &Kernel, access: &Access, diagnostics: &mut Diagnostics) {
+    let field = &kernel.fields[access.field];
+    let Some(rank) = field.rank else { return };
+    let own = access.parallel.map(|number| &kernel.loops[number]);
+    let found = match (parts(&access.index), integer(&access.index), name_of(&access.index), own) {
+        (Some(parts), ..) => parts.len(),
+        (None, Some(_), ..) => 1,
+        (None, None, Some(name), Some(own)) if !own.tuple && own.variables[0].as_ref() == Some(name) => match own.rank {
+            Some(rank) => rank,
+            None => return,
+        },
+        (None, None, Some(name), Some(own)) if own.tuple && own.variables.contains(&Some(name.clone())) => 1,
+        _ => return,
+    };
+    // `[x]` and `(x,)` are read as indices, `()` is that of a field without axes.
+    if found != rank {
+        let (name, index) = (&field.name, text(bare(&access.index)));
+        let error = diagnostics.error(
+            Code::IndexCount,
+            &access.target.tokens,
+            format!("`{name}` has {}, and the index `{index}` names {found}", axes(rank)),
+        );
+        error.note(format!("the type of `{name}` is `{}`", text(&field.ty)));
+        error.help(format!("write `{name}[{}]`; the third parameter of `Field` says its axes: `I` (the default), `Ij`, `Ijk`", example(rank)));
+    }
+}
+
+fn shared_write(kernel: &Kernel, access: &Access, diagnostics: &mut Diagnostics) {
+    let field = &kernel.fields[access.field];
+    let (name, ty) = (&field.name, text(&field.ty));
+    diagnostics
+        .error(Code::SharedWrite, &access.spot.tokens, format!("`{name}` is written, and its parameter is `{ty}`"))
+        .help(format!("write `{name}: {}`", ty.replacen('&', "&mut ", 1)));
+}
+
+/// Constant offsets against the border that the loop leaves out.
+fn border(found: &Loop, access: &Access, diagnostics: &mut Diagnostics) {
+    let (Head::Interior { width, .. }, Place::Offset(offset)) = (&found.head, &access.place) else { return };
+    let Some(width) = integer(width) else { return };
+    let reach = offset.iter().map(|offset| offset.saturating_abs()).max().unwrap_or(0);
+    if reach > width {
+        let message = format!("`{}` reaches {reach} cells away, and `interior({width})` leaves a border of {width}", access.target.text());
+        diagnostics
+            .error(Code::InteriorOffset, &access.target.tokens, message)
+            .help(format!("write `interior({reach})`; where this field is larger than the loop's, loop over an `ndrange!`"));
+    }
+}

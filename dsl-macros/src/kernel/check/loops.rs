@@ -1,0 +1,132 @@
+//! Loop heads, attributes, jumps and `unroll!`.
+
+use crate::diagnostics::{Code, Diagnostics};
+use crate::kernel::model::{Finding, What};
+
+/// Reports a finding about a loop; `false` if it is about something else.
+pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
+    let at = &finding.spot.tokens;
+    let text = finding.spot.text();
+    match &finding.what {
+        What::Head { range } => head(finding, *range, diagnostics),
+        What::InclusiveRange { start, end } => {
+            let end = end.parse::<i64>().map_or_else(|_| format!("{end} + 1"), |end| (end + 1).to_string());
+            diagnostics
+                .error(Code::LoopRange, at, format!("a loop of the language runs over half-open ranges, not `{text}`"))
+                .help(format!("write `{start}..{end}`"));
+        }
+        What::OpenRange => {
+            diagnostics
+                .error(Code::LoopRange, at, format!("the range `{text}` has no start or no end"))
+                .help("write both: `0..n`");
+        }
+        What::LaterHead { name } => {
+            diagnostics
+                .error(Code::UnavailableHead, at, format!("a loop over `{name}` is not available in this version"))
+                .help("loop over the field, its `interior(width)` or an `ndrange!`, and test the index inside");
+        }
+        What::MemberHead => {
+            diagnostics
+                .error(Code::LoopHead, at, format!("a loop runs over a field, not over its member `{text}`"))
+                .help(format!("write `for .. in {}`", text.split('.').next().unwrap_or_default()));
+        }
+        What::OutermostUnroll => {
+            diagnostics
+                .error(Code::LoopHead, at, "`unroll!` is for loops inside a parallel loop")
+                .note("an outermost `for` is one parallel launch")
+                .help("loop over a range, `0..n`, or over `ndrange!(..)`; or write `#[serial]` before the loop");
+        }
+        What::Pattern => {
+            diagnostics
+                .error(Code::LoopPattern, at, format!("the pattern of a parallel loop is a name or a tuple of names, not `{text}`"))
+                .note("the kernel must know which index is the iteration's own")
+                .help("write `for p in ..` or `for (i, j) in ..`, and bind anything else with `let` inside");
+        }
+        What::LaterAttribute { name } => later_attribute(finding, name, diagnostics),
+        What::ScatterName { found } => {
+            let message = match found.as_str() {
+                "" => "`#[scatter]` needs the name of a schedule".to_owned(),
+                "Colored" => "`#[scatter(Colored)]` is not available in this version".to_owned(),
+                other => format!("`{other}` is no schedule for accumulation"),
+            };
+            diagnostics
+                .error(Code::ScatterAttribute, at, message)
+                .help("write `#[scatter(Serial)]`, `#[scatter(Atomic)]`, `#[scatter(Private)]` or `#[scatter(Auto)]`");
+        }
+        What::ScatterPlace => {
+            diagnostics
+                .error(Code::ScatterAttribute, at, "`#[scatter(..)]` goes on a parallel loop")
+                .note("a serial loop, or one inside another loop, adds in place and needs no schedule")
+                .help("remove it, or move it to the outermost `for`");
+        }
+        What::Escape { how } => escape(finding, how, diagnostics),
+        What::UnrollBound => {
+            diagnostics
+                .error(Code::UnrollForm, at, format!("`unroll!` needs integer literals, and `{text}` is none"))
+                .note("the macro copies the body once for each value, and sees no values of constants")
+                .help("write the number, or a plain `for` over the range");
+        }
+        What::UnrollPattern { ranges } => {
+            let cure = if *ranges == 1 { "one name".to_owned() } else { format!("a tuple of {ranges} names") };
+            diagnostics
+                .error(Code::UnrollForm, at, format!("`{text}` does not fit the {ranges} range(s) of `unroll!`"))
+                .help(format!("write {cure}"));
+        }
+        What::UnrollAxes => {
+            diagnostics
+                .error(Code::UnrollForm, at, "`unroll!` over all axes of a type is not available in this version")
+                .help("write one range for each axis: `unroll!(0..3, 0..3)`");
+        }
+        What::HeadArguments { name } => {
+            diagnostics
+                .error(Code::HeadMacro, at, format!("`{name}!` takes ranges"))
+                .help(format!("write `{name}!(0..3, 0..3)`"));
+        }
+        What::HeadMacro { name } => {
+            diagnostics
+                .error(Code::HeadMacro, at, format!("`{name}!` can only be the head of a loop"))
+                .help(format!("write `for (i, j) in {name}!(0..3, 0..3) {{ .. }}`"));
+        }
+        _ => return false,
+    }
+    true
+}
+
+fn head(finding: &Finding, range: bool, diagnostics: &mut Diagnostics) {
+    let at = &finding.spot.tokens;
+    let text = finding.spot.text();
+    let error = diagnostics.error(Code::LoopHead, at, format!("a parallel loop cannot run over `{text}`"));
+    error.note(
+        "each outermost `for` of a kernel is a parallel launch, and runs over a field, `field.interior(width)`, a range `a..b` or `ndrange!(..)`",
+    );
+    if range {
+        error.help("loop over the range itself and compute the index inside");
+    } else {
+        error.help("to loop over a field, write its name alone; a parameter is a field when its type is `&Field<..>` or `&mut Field<..>`");
+    }
+    error.help("to run over any iterator on one thread, write `#[serial]` before the loop");
+}
+
+fn later_attribute(finding: &Finding, name: &str, diagnostics: &mut Diagnostics) {
+    let message = format!("`#[{name}]` is not available in this version");
+    let error = diagnostics.error(Code::UnavailableAttribute, &finding.spot.tokens, message);
+    if name == "ordered" {
+        error.help("write a `while` loop at the top level: each `for` in it is a launch; or call the kernel from a loop outside");
+    } else {
+        error.help("accumulate (`+=`, `min_assign`), or write `#[serial]` before the loop");
+    }
+}
+
+fn escape(finding: &Finding, how: &str, diagnostics: &mut Diagnostics) {
+    let message = format!("`{how}` cannot leave a parallel loop");
+    let error = diagnostics.error(Code::LoopEscape, &finding.spot.tokens, message);
+    error.note("other threads are at other elements at that time");
+    match how {
+        "?" => error.help("deal with the error here, or note it in a variable (`failed |= true`) and test that after the loop"),
+        ".await" => error.help("wait before or after the loop"),
+        "continue" => error.help("`continue` without a label skips the rest of the element"),
+        _ => error.help(
+            "`continue` skips the rest of the element; to search, accumulate into a variable (`found.max_assign(..)`); or write `#[serial]` before the loop",
+        ),
+    };
+}

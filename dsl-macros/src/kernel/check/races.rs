@@ -1,0 +1,162 @@
+//! Races: what two iterations of a parallel loop may not do to one element.
+
+use crate::diagnostics::{Code, Diagnostics};
+use crate::kernel::access::{Clash, Use, Why, clashes};
+use crate::kernel::model::{Access, Head, Kernel, Loop, Op, Place};
+
+pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
+    for (number, found) in kernel.loops.iter().enumerate() {
+        if matches!(found.head, Head::Invalid) {
+            continue;
+        }
+        let clashes = clashes(kernel, number);
+        if let Some(clash) = clashes.first().filter(|_| is_serial(kernel, found)) {
+            outermost(kernel, found, clash, diagnostics);
+            continue;
+        }
+        for clash in &clashes {
+            report(kernel, found, clash, diagnostics);
+        }
+    }
+}
+
+/// Whether a loop was meant to take its turns one after another: a range whose variable is in no index, around other loops.
+fn is_serial(kernel: &Kernel, found: &Loop) -> bool {
+    let own = |node: &usize| !matches!(kernel.access(*node).place, Place::Computed);
+    matches!(found.head, Head::Ranges(_)) && !found.inner.is_empty() && !found.accesses.iter().any(own)
+}
+
+fn outermost(kernel: &Kernel, found: &Loop, clash: &Clash, diagnostics: &mut Diagnostics) {
+    let access = kernel.access(clash.access);
+    let changed = if access.changes() { access } else { kernel.access(clash.other) };
+    let (head, text, line) = (found.spot.text(), changed.spot.text(), changed.spot.line());
+    let inner = found.inner.first().map(|inner| inner.spot.text()).unwrap_or_default();
+    diagnostics
+        .error(Code::OutermostLoop, &found.spot.tokens, format!("`{head}` is the outermost loop, and so the parallel one"))
+        .note(format!("its turns would run at the same time, and `{text}` in line {line} is the same element in all of them"))
+        .help(format!(
+            "to run `{inner}` in parallel, turn after turn, write a `while` loop at the top level, whose `for` loops are launches, or call the kernel from a loop outside"
+        ))
+        .help("to run everything on one thread, write `#[serial]` before the loop");
+}
+
+/// `field.path`.
+fn name(kernel: &Kernel, access: &Access) -> String {
+    let path: String = access.path.iter().map(|member| format!(".{member}")).collect();
+    format!("{}{path}", kernel.fields[access.field].name)
+}
+
+/// What an access does, and where: the other half of a clash.
+fn other_half(other: &Access) -> String {
+    let does = match other.usage() {
+        Use::Read => "reads it",
+        Use::Write => "writes it",
+        Use::Update(_, Some(_)) => "accumulates into it",
+        Use::Update(_, None) => "changes it",
+    };
+    let whose = if other.is_own() { " at the iteration's own index" } else { "" };
+    format!("`{}` in line {} {does}{whose}", other.spot.text(), other.spot.line())
+}
+
+fn report(kernel: &Kernel, found: &Loop, clash: &Clash, diagnostics: &mut Diagnostics) {
+    let (access, other) = (kernel.access(clash.access), kernel.access(clash.other));
+    let (member, target) = (name(kernel, access), access.target.text());
+    match clash.why {
+        Why::Scatter => scatter(found, access, diagnostics),
+        Why::OperatorScatter => operator(access, diagnostics),
+        Why::ComponentScatter => {
+            diagnostics
+                .error(
+                    Code::AccumulateComponent,
+                    &access.spot.tokens,
+                    "accumulating into one component is only available at the iteration's own index in this version",
+                )
+                .help(format!("accumulate into all of `{target}`, with zero for the other components: `{target} += vec2(x, 0.0)`"));
+        }
+        Why::Stencil => {
+            diagnostics
+                .error(Code::InPlaceStencil, &access.spot.tokens, format!("`{target}` is read in a parallel loop that writes `{member}`"))
+                .note(format!("{}: whether this read comes before or after depends on the threads", other_half(other)))
+                .help("read from one field and write to another, and swap the two between calls")
+                .help("or write `#[serial]` before the loop to run it on one thread");
+        }
+        Why::ReadBesideAccumulation => {
+            let message = if access.changes() {
+                format!("`{}` accumulates into `{member}`, which the same loop reads", access.spot.text())
+            } else {
+                format!("`{target}` is read in a parallel loop that accumulates into `{member}`")
+            };
+            diagnostics
+                .error(Code::AccumulateBesideRead, &access.spot.tokens, message)
+                .note(format!("{}: what is read would be a part of the sum, and which part depends on the threads", other_half(other)))
+                .help("read it in a loop of its own before or after this one, or accumulate into another member");
+        }
+        Why::WriteBesideAccumulation => {
+            diagnostics
+                .error(Code::AccumulateBesideWrite, &access.spot.tokens, format!("`{target}` is changed in a parallel loop that also changes `{member}` in another way"))
+                .note(format!("{}: which of the two comes first depends on the threads", other_half(other)))
+                .help("write the start value in a loop of its own, and accumulate in the next");
+        }
+        Why::Groups => groups(access, other, &member, diagnostics),
+        Why::Places => {
+            diagnostics
+                .error(Code::OwnPlaces, &access.spot.tokens, format!("`{target}` has the loop's variables in other places than the first access to `{member}`"))
+                .note(format!("{}: two iterations could meet in one element", other_half(other)))
+                .help("use one order of the variables for all accesses to a member that the loop writes, or write to another field");
+        }
+    }
+}
+
+fn scatter(found: &Loop, access: &Access, diagnostics: &mut Diagnostics) {
+    let target = access.target.text();
+    let variables: Vec<String> = found.variables.iter().flatten().map(ToString::to_string).collect();
+    let own = if found.tuple { format!("({})", variables.join(", ")) } else { variables.join("") };
+    let error = diagnostics.error(
+        Code::PlainScatter,
+        &access.spot.tokens,
+        format!("`{target}` is written in a parallel loop, at an index that is not the iteration's own"),
+    );
+    match &access.place {
+        Place::Offset(_) => {
+            error
+                .note(format!("it is the own element of another iteration; the own index is `{own}`"))
+                .help("write at the own index, and move the indices that are read instead");
+        }
+        _ => {
+            error
+                .note(format!(
+                    "several iterations may write one element, and which comes last depends on the threads; the own index is `{own}`"
+                ))
+                .help("turn the loop round so that it gathers: loop over the field that is written, and compute where to read")
+                .help("to add up what meets in one element, accumulate: `+=`, `min_assign`, `max_assign`, `|=`")
+                .help("or write `#[serial]` before the loop to run it on one thread");
+        }
+    }
+}
+
+fn operator(access: &Access, diagnostics: &mut Diagnostics) {
+    let Use::Update(op, _) = access.usage() else { return };
+    let (target, op_text) = (access.target.text(), op.text());
+    let error = diagnostics.error(
+        Code::OperatorScatter,
+        &access.spot.tokens,
+        format!("`{op_text}` is no accumulation, and `{target}` is not the iteration's own element"),
+    );
+    error.note("its result would depend on the order of the threads");
+    if op == Op::Div {
+        error.help(format!("multiply by the inverse: `{target} *= 1.0 / ..`"));
+    }
+    error.help("accumulate with one of `+=`, `-=`, `*=`, `min_assign`, `max_assign`, `&=`, `|=`, `^=`");
+}
+
+fn groups(access: &Access, other: &Access, member: &str, diagnostics: &mut Diagnostics) {
+    let text = |usage| match usage {
+        Use::Update(op, _) => op.text(),
+        Use::Read | Use::Write => "=",
+    };
+    let (op, first) = (text(access.usage()), text(other.usage()));
+    diagnostics
+        .error(Code::MixedOperators, &access.spot.tokens, format!("`{op}` and `{first}` accumulate into `{member}` in one loop"))
+        .note(format!("{}: the result of both would depend on the order of the threads", other_half(other)))
+        .help("use one group of operators for a member in a loop (`+=` with `-=`; each other by itself): write two loops, or two members");
+}

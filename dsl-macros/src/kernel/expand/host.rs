@@ -1,0 +1,49 @@
+//! Accesses at the top level and in serial loops: any index, checked.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::names::{Ends, hidden, private, span, tag};
+use super::rewrite::Rewrite;
+use super::views::change;
+use crate::kernel::model::{Access, Action};
+
+/// Reads, writes or changes one element.
+pub(super) fn access(rewrite: &Rewrite<'_>, access: &Access) -> TokenStream {
+    let private = private();
+    let field = &rewrite.kernel.fields[access.field].name;
+    let tag = tag(&quote!(#private::tags(&*#field)), &access.path);
+    let index = rewrite.expr(&access.index);
+    let ends = Ends::of(&access.target);
+    let (part, value) = match &access.action {
+        Action::Read => {
+            let read = function(&ends, "read", quote!(&*#field, #tag, #index));
+            return ends.read(read);
+        }
+        Action::Write { part, value } | Action::Update { part, value, .. } => (part, rewrite.expr(value)),
+    };
+    // What comes first may read the field, which the write borrows.
+    let (new, path, at, target) = (hidden("value"), hidden("path"), hidden("at"), hidden("target"));
+    if part.is_empty() && matches!(access.action, Action::Write { .. }) {
+        let new = Ident::new("__value", new.span().located_at(span(&value)));
+        let write = function(&ends, "write", quote!(&mut *#field, #path, #at, #new));
+        return quote!({ let #new = #value; let (#path, #at) = (#tag, #index); #write });
+    }
+    let locate = function(&ends, "locate", quote!(&*#field, #index));
+    let change = change(rewrite, &access.action, &target, &new, span(&access.spot.tokens));
+    quote!({
+        let #new = #value;
+        let (#path, #at) = (#tag, #locate);
+        let mut #target = #private::read_at(&*#field, #path, #at);
+        #change
+        #private::write_at(&mut *#field, #path, #at, #target);
+    })
+}
+
+/// A call of a private function, at the user's tokens.
+fn function(ends: &Ends, name: &str, arguments: TokenStream) -> TokenStream {
+    let private = private();
+    let name = Ident::new(name, ends.first);
+    let arguments = ends.group(arguments, ends.last);
+    quote!(#private::#name #arguments)
+}

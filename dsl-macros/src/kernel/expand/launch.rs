@@ -1,0 +1,330 @@
+//! A parallel loop.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, quote, quote_spanned};
+use syn::Expr;
+
+use super::names::{handle, hidden, label, numbered, plain, private, tag};
+use super::rewrite::{Rewrite, Scope};
+use super::{captures, reductions};
+use crate::kernel::access::{Plan, View, plan};
+use crate::kernel::model::{Capture, Group, Head, Kernel, Loop};
+
+/// A loop under expansion.
+pub(super) struct Launch<'a> {
+    pub(super) kernel: &'a Kernel,
+    pub(super) parallel: &'a Loop,
+    pub(super) plan: Plan,
+    held: Vec<&'a Capture>,
+    /// Accesses relative to a checked base: the base's name and the offset.
+    pub(super) based: BTreeMap<usize, (Ident, Expr)>,
+}
+
+impl Launch<'_> {
+    /// What a captured name is replaced by.
+    pub(super) fn captured(&self, name: &Ident) -> Option<TokenStream> {
+        self.held.iter().find(|capture| capture.name == *name).map(|capture| captures::replacement(capture, name))
+    }
+
+    /// The local that holds a view.
+    pub(super) fn view_name(&self, number: usize) -> Ident {
+        let planned = &self.plan.views[number];
+        let mut name = plain(&self.kernel.fields[planned.field].name);
+        for member in &planned.path {
+            name.push('_');
+            name.push_str(&plain(member));
+        }
+        let kind = match planned.view {
+            View::Own => "own",
+            View::OwnFree => "free",
+            View::Row(_) => "row",
+            View::Any => "any",
+            View::Accumulate => "sum",
+        };
+        let same = |other: &crate::kernel::access::Planned| {
+            other.field == planned.field
+                && other.path == planned.path
+                && matches!((&other.view, &planned.view), (View::Row(_), View::Row(_)))
+        };
+        match self.plan.views[..number].iter().filter(|other| same(other)).count() {
+            0 => hidden(&format!("{name}_{kind}")),
+            before => hidden(&format!("{name}_{kind}{before}")),
+        }
+    }
+
+    /// The local that holds an own-index read of a member that a heavy loop only reads.
+    pub(super) fn hoisted(&self, number: usize) -> Option<Ident> {
+        let planned = &self.plan.views[number];
+        let own = self.parallel.head.field() == Some(planned.field);
+        let row = matches!(&planned.view, View::Row(offset) if offset.iter().all(|o| *o == 0));
+        (own && row && !self.plan.light).then(|| numbered("h", number))
+    }
+
+    /// The base and offset of an access, where a base is checked.
+    pub(super) fn based(&self, node: usize) -> Option<(Ident, TokenStream)> {
+        self.based.get(&node).map(|(base, offset)| (base.clone(), offset.to_token_stream()))
+    }
+}
+
+/// The tokens of a launch.
+pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
+    let parallel = &kernel.loops[number];
+    let launch = Launch {
+        kernel,
+        parallel,
+        plan: plan(kernel, number),
+        held: captures::held(parallel),
+        based: BTreeMap::new(),
+    };
+    let private = private();
+    let (space, fits, task, run) = (hidden("space"), hidden("fits"), hidden("task"), hidden("run"));
+    let handles = launch.handles();
+    let over = launch.space();
+    let (fits_value, always_fits) = launch.fits();
+    let pieces = reductions::pieces(parallel);
+    let (before, partials, result, combines) = (&pieces.before, &pieces.partials, &pieces.result, &pieces.combines);
+    let assert_shared = captures::assert_shared(parallel);
+    let hold = captures::hold(parallel);
+    let hold_traits = (!hold.is_empty()).then(|| quote!(use #private::{Hold as _, Lend as _};));
+    let space_trait = (!always_fits).then(|| quote!(use #private::Space as _;));
+    let options = launch.options();
+    let entry = if always_fits && launch.plan.targets.is_empty() { quote!(launch_own) } else { quote!(launch) };
+    let copies = launch.copies();
+    let hide = launch.hide_fields();
+    let any_views = launch.any_views();
+    let rows = if launch.plan.light { quote!(rows) } else { quote!(runs) };
+    let body = launch.run(&pieces);
+    let attributes = &parallel.attributes;
+    let (outs, out) = (hidden("outs"), hidden("out"));
+    let (outs, combine) = if parallel.reductions.is_empty() {
+        (TokenStream::new(), TokenStream::new())
+    } else {
+        (quote!(let #outs =), quote!(for #out in #outs { #combines }))
+    };
+    quote! {
+        #(#attributes)*
+        {
+            #hold_traits
+            #space_trait
+            #handles
+            let #space = #over;
+            let #fits = #fits_value;
+            #before
+            #assert_shared
+            #outs #private::#entry(&#space, #options, #[inline(always)] |#task| {
+                #copies
+                #hold
+                #hide
+                #any_views
+                #partials
+                #task.#rows(#[inline(always)] |#run| { #body });
+                #result
+            });
+            #combine
+        }
+    }
+}
+
+impl Launch<'_> {
+    fn used(&self) -> impl Iterator<Item = Ident> + '_ {
+        self.plan.fields.keys().map(|field| handle(&self.kernel.fields[*field]))
+    }
+
+    fn handles(&self) -> TokenStream {
+        let private = private();
+        let kernel = plain(&self.kernel.function.sig.ident);
+        let handles = self.plan.fields.iter().map(|(number, changes)| {
+            let field = &self.kernel.fields[*number];
+            let (handle, name, text) = (handle(field), &field.name, plain(&field.name));
+            let site = quote!(&#private::Site { kernel: #kernel, field: #text });
+            match changes {
+                true => quote!(let #handle = #private::exclusive(&mut *#name, #site);),
+                false => quote!(let #handle = #private::shared(&*#name, #site);),
+            }
+        });
+        handles.collect()
+    }
+
+    fn space(&self) -> TokenStream {
+        let private = private();
+        let host = Rewrite { kernel: self.kernel, scope: Scope::Host };
+        match &self.parallel.head {
+            Head::Field(field) => {
+                let handle = handle(&self.kernel.fields[*field]);
+                quote!(#private::over(#handle))
+            }
+            Head::Interior { field, width } => {
+                let (handle, width) = (handle(&self.kernel.fields[*field]), host.expr(width));
+                quote!(#private::interior(#handle, #width))
+            }
+            Head::Ranges(ranges) => {
+                let ranges = ranges.iter().map(|(start, end)| {
+                    let (start, end) = (host.expr(start), host.expr(end));
+                    quote!((#start)..(#end),)
+                });
+                quote!(#private::range((#(#ranges)*)))
+            }
+            Head::Invalid => unreachable!("a kernel with an invalid head is not expanded"),
+        }
+    }
+
+    /// Whether all rows lie within their fields, and whether that needs no check.
+    fn fits(&self) -> (TokenStream, bool) {
+        let space = hidden("space");
+        let checks: Vec<_> = self.plan.reach.iter().map(|(field, (low, high))| {
+            let handle = handle(&self.kernel.fields[*field]);
+            let (low, high) = (self.offset(low), self.offset(high));
+            quote!(#space.fits(#handle, #low, #high))
+        }).collect();
+        if checks.is_empty() { (quote!(true), true) } else { (quote!(#(#checks)&&*), false) }
+    }
+
+    /// Offsets as an array; those over an unknown number of axes are zero, for as many as there can be.
+    fn offset(&self, offset: &[i32]) -> TokenStream {
+        if self.parallel.rank.is_none() {
+            return quote!([0; 4]);
+        }
+        let offset = offset.iter().map(|offset| {
+            let size = Literal::u32_unsuffixed(offset.unsigned_abs());
+            if *offset < 0 { quote!(-#size) } else { quote!(#size) }
+        });
+        quote!([#(#offset),*])
+    }
+
+    fn options(&self) -> TokenStream {
+        let private = private();
+        let kernel = plain(&self.kernel.function.sig.ident);
+        let (fits, heavy) = (hidden("fits"), !self.plan.light);
+        let scatter = match &self.parallel.scatter {
+            Some(scatter) => quote_spanned!(scatter.span()=> ::core::option::Option::Some(::allotrope::Scatter::#scatter)),
+            None => quote!(::core::option::Option::None),
+        };
+        let targets = self.plan.targets.iter().enumerate().map(|(slot, (field, members))| {
+            let handle = handle(&self.kernel.fields[*field]);
+            let members = members.iter().map(|(path, group)| {
+                let (tag, op) = (tag(&quote!(#handle.tags()), path), op(*group));
+                quote!((#tag.index(), #private::Op::#op))
+            });
+            quote!(&#handle.target(#slot, &[#(#members),*]))
+        });
+        quote!(#private::Options { kernel: #kernel, fits: #fits, heavy: #heavy, scatter: #scatter, targets: &[#(#targets),*] })
+    }
+
+    /// Copies of the handles in the job's frame.
+    fn copies(&self) -> TokenStream {
+        let handles: Vec<_> = self.used().collect();
+        if handles.is_empty() { TokenStream::new() } else { quote!(let (#(#handles,)*) = (#(#handles,)*);) }
+    }
+
+    /// Hides the fields' names, so that what was not rewritten does not compile.
+    fn hide_fields(&self) -> TokenStream {
+        let private = private();
+        let names: Vec<_> = self.kernel.fields.iter().map(|field| &field.name).collect();
+        if names.is_empty() {
+            return TokenStream::new();
+        }
+        quote!(#(let #names = #private::NotAnAccess;)* let _ = (#(&#names,)*);)
+    }
+
+    /// The views that hold for the whole job.
+    fn any_views(&self) -> TokenStream {
+        let task = hidden("task");
+        let views = self.plan.views.iter().enumerate().map(|(number, planned)| {
+            let (name, handle) = (self.view_name(number), handle(&self.kernel.fields[planned.field]));
+            let tag = tag(&quote!(#handle.tags()), &planned.path);
+            match planned.view {
+                View::Any => quote!(let #name = #handle.read(#tag);),
+                View::OwnFree => quote!(let #name = #handle.own_free(&#task, #tag);),
+                View::Accumulate => {
+                    let slot = self.plan.targets.iter().position(|(field, _)| *field == planned.field);
+                    let slot = slot.unwrap_or_default();
+                    quote!(let #name = #handle.accumulate(&#task, #slot, #tag);)
+                }
+                View::Own | View::Row(_) => TokenStream::new(),
+            }
+        });
+        views.collect()
+    }
+
+    /// What happens in a run: its views, and its elements.
+    fn run(&self, pieces: &reductions::Pieces) -> TokenStream {
+        let (run, cell) = (hidden("run"), hidden("cell"));
+        let (mut views, mut flushes, mut hoists) = (TokenStream::new(), TokenStream::new(), TokenStream::new());
+        for (number, planned) in self.plan.views.iter().enumerate() {
+            let (name, handle) = (self.view_name(number), handle(&self.kernel.fields[planned.field]));
+            let tag = tag(&quote!(#handle.tags()), &planned.path);
+            match &planned.view {
+                View::Own if self.plan.light && !self.plan.overlapping.contains(&planned.field) => {
+                    let (buffer, private) = (numbered("buffer", number), private());
+                    views.extend(quote!(let #buffer = #private::buffer(); let #name = #handle.held(&#run, #tag, &#buffer);));
+                    flushes.extend(quote!(#name.flush(&#run);));
+                }
+                View::Own => views.extend(quote!(let #name = #handle.own(&#run, #tag);)),
+                View::Row(offset) => {
+                    let offset = self.offset(offset);
+                    views.extend(quote!(let #name = #handle.row(&#run, #tag, #offset);));
+                }
+                View::OwnFree | View::Any | View::Accumulate => {}
+            }
+            if let Some(hoisted) = self.hoisted(number) {
+                hoists.extend(quote!(let #hoisted = #name.get(&#cell);));
+            }
+        }
+        let halo = self.offset(self.plan.halo.as_deref().unwrap_or_default());
+        let variables = self.variables();
+        let rewrite = Rewrite { kernel: self.kernel, scope: Scope::Parallel(self) };
+        let body = rewrite.block(&self.parallel.body);
+        let element = label("element");
+        let body = if self.parallel.continues { quote!(#element: #body) } else { body };
+        let reductions::Pieces { strips, identities, puts, absorbs, .. } = pieces;
+        let each = quote! {
+            #run.each(#halo, #[inline(always)] |#cell| { #variables #hoists #identities #body #puts });
+        };
+        let each = if self.parallel.reductions.is_empty() {
+            each
+        } else {
+            quote!(#run.strips(#[inline(always)] |#run| { #strips #each #absorbs });)
+        };
+        quote!(#views #each #flushes)
+    }
+
+    /// Binds the loop's variables.
+    fn variables(&self) -> TokenStream {
+        let cell = hidden("cell");
+        let patterns = self.parallel.variables.iter().map(|name| name.as_ref().map_or_else(|| quote!(_), |name| quote!(#name)));
+        let names: Vec<_> = self.parallel.variables.iter().flatten().collect();
+        let used = (!names.is_empty()).then(|| quote!(let _ = (#(&#names,)*);));
+        if self.parallel.tuple {
+            quote!(let (#(#patterns,)*) = #cell.tuple(); #used)
+        } else {
+            quote!(#(let #patterns = #cell.index();)* #used)
+        }
+    }
+}
+
+fn op(group: Group) -> TokenStream {
+    match group {
+        Group::Sum => quote!(Add),
+        Group::Product => quote!(Mul),
+        Group::Min => quote!(Min),
+        Group::Max => quote!(Max),
+        Group::And => quote!(And),
+        Group::Or => quote!(Or),
+        Group::Xor => quote!(Xor),
+    }
+}
+
+impl<'a> Launch<'a> {
+    /// The same launch in a stretch where more bases are checked.
+    pub(super) fn with_based(&self, based: BTreeMap<usize, (Ident, Expr)>) -> Launch<'a> {
+        Launch {
+            kernel: self.kernel,
+            parallel: self.parallel,
+            plan: self.plan.clone(),
+            held: self.held.clone(),
+            based,
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! Model to tokens.
+
+mod captures;
+mod host;
+mod launch;
+mod names;
+mod reductions;
+mod rewrite;
+mod signature;
+mod unroll;
+mod views;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{FnArg, ItemFn, Pat, parse_quote};
+
+use self::rewrite::{Rewrite, Scope};
+use super::model::Kernel;
+
+/// The function that a kernel without errors stands for.
+pub(super) fn expand(kernel: &Kernel) -> TokenStream {
+    let mut function = kernel.function.clone();
+    signature::open_layouts(&mut function);
+    let rewrite = Rewrite { kernel, scope: Scope::Host };
+    let body = rewrite.block(&kernel.function.block);
+    let ItemFn { attrs, vis, sig, .. } = function;
+    // Expanded accesses stand at the user's tokens, so that lints could take their parentheses for the user's.
+    quote!(#(#attrs)* #[allow(unused_parens, clippy::deref_addrof)] #vis #sig #body)
+}
+
+/// A function of the same type that does nothing, for a kernel with errors: so that its callers have none.
+pub(super) fn fallback(mut function: ItemFn) -> TokenStream {
+    signature::open_layouts(&mut function);
+    for input in &mut function.sig.inputs {
+        if let FnArg::Typed(parameter) = input
+            && let Pat::Ident(name) = &mut *parameter.pat
+        {
+            name.mutability = None;
+        }
+    }
+    function.attrs.retain(|attribute| attribute.path().is_ident("cfg"));
+    function.attrs.push(parse_quote!(#[allow(unused, missing_docs, clippy::all)]));
+    *function.block = parse_quote!({ loop {} });
+    quote!(#function)
+}

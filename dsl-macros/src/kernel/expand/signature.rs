@@ -1,0 +1,35 @@
+//! `_` for a layout becomes an argument-position `impl`.
+
+use quote::quote;
+use syn::visit_mut::{self, VisitMut};
+use syn::{FnArg, GenericArgument, ItemFn, PathArguments, Type};
+
+/// Opens every `_` that stands for a field's layout.
+pub(super) fn open_layouts(function: &mut ItemFn) {
+    for input in &mut function.sig.inputs {
+        if let FnArg::Typed(parameter) = input {
+            OpenLayouts.visit_type_mut(&mut parameter.ty);
+        }
+    }
+}
+
+struct OpenLayouts;
+
+impl VisitMut for OpenLayouts {
+    fn visit_path_segment_mut(&mut self, segment: &mut syn::PathSegment) {
+        visit_mut::visit_path_segment_mut(self, segment);
+        let PathArguments::AngleBracketed(arguments) = &mut segment.arguments else { return };
+        if segment.ident != "Field" {
+            return;
+        }
+        let axes = match arguments.args.get(2) {
+            Some(GenericArgument::Type(axes)) => quote!(#axes),
+            _ => quote!(::allotrope::I),
+        };
+        if let Some(GenericArgument::Type(layout)) = arguments.args.get_mut(1)
+            && matches!(layout, Type::Infer(_))
+        {
+            *layout = Type::Verbatim(quote!(impl ::allotrope::Layout<#axes>));
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! Accesses in a parallel loop, each through its view.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{quote, quote_spanned};
+
+use super::launch::Launch;
+use super::names::{Ends, hidden, private, span};
+use super::rewrite::Rewrite;
+use crate::kernel::access::View;
+use crate::kernel::model::{Access, Action, Op, Place, Slot};
+use crate::kernel::syntax::parts;
+
+/// Reads, writes or changes one element.
+pub(super) fn access(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, access: &Access) -> TokenStream {
+    let number = launch.plan.view_of[&node];
+    let planned = &launch.plan.views[number];
+    let ends = Ends::of(&access.target);
+    let view = ends.local(&launch.view_name(number));
+    if planned.view == View::Accumulate {
+        return accumulate(rewrite, launch, node, access, &view);
+    }
+    if let Some(hoisted) = launch.hoisted(number) {
+        let hoisted = ends.local(&hoisted);
+        return ends.read(quote!(#hoisted));
+    }
+    let cell = ends.local(&hidden("cell"));
+    let places = match planned.view {
+        View::Own | View::Row(_) => quote!(&#cell),
+        View::OwnFree => {
+            let places = places(rewrite, access);
+            quote!(&#cell, #places)
+        }
+        View::Any | View::Accumulate => rewrite.expr(&access.index),
+    };
+    let based = launch.based(node);
+    let read = match &based {
+        Some((base, offset)) => ends.call(&view, "get_at", quote!(&#base, #offset)),
+        None => ends.call(&view, "get", places.clone()),
+    };
+    let (part, value) = match &access.action {
+        Action::Read => return ends.read(read),
+        Action::Write { part, value } | Action::Update { part, value, .. } => (part, rewrite.expr(value)),
+    };
+    if part.is_empty() && matches!(access.action, Action::Write { .. }) {
+        return ends.call(&view, "set", quote!(#places, #value));
+    }
+    let (new, target) = (hidden("value"), hidden("target"));
+    let change = change(rewrite, &access.action, &target, &new, span(&access.spot.tokens));
+    let (bind, places) = bound_places(&planned.view, &places);
+    let read = ends.call(&view, "get", places.clone());
+    let write = ends.call(&view, "set", quote!(#places, #target));
+    quote!({
+        let #new = #value;
+        #bind
+        let mut #target = #read;
+        #change
+        #write;
+    })
+}
+
+/// Free places are evaluated once.
+fn bound_places(view: &View, places: &TokenStream) -> (TokenStream, TokenStream) {
+    if *view != View::OwnFree {
+        return (TokenStream::new(), places.clone());
+    }
+    let (cell, at) = (hidden("cell"), hidden("at"));
+    let inner: TokenStream = places.clone().into_iter().skip(3).collect();
+    (quote!(let #at = #inner;), quote!(&#cell, #at))
+}
+
+/// Where the loop's variables stand in an index: `(Var::<1>, Free(k))`.
+fn places(rewrite: &Rewrite<'_>, access: &Access) -> TokenStream {
+    let private = private();
+    let Place::Places(slots) = &access.place else { unreachable!("a free own index has places") };
+    let parts = parts(&access.index).unwrap_or_default();
+    let places = slots.iter().zip(parts).map(|(slot, part)| match slot {
+        Slot::Variable(number) => quote!(#private::Var::<#number>),
+        Slot::Free => {
+            let part = rewrite.expr(part);
+            quote!(#private::Free(#part))
+        }
+    });
+    quote!((#(#places,)*))
+}
+
+/// Changes a copy of the element, `target`, by `value`.
+pub(super) fn change(rewrite: &Rewrite<'_>, action: &Action, target: &Ident, value: &Ident, span: Span) -> TokenStream {
+    let (part, op) = match action {
+        Action::Read => return TokenStream::new(),
+        Action::Write { part, .. } => (part, None),
+        Action::Update { part, op, .. } => (part, Some(*op)),
+    };
+    let part = part.iter().map(|step| match step {
+        crate::kernel::model::Projection::Member(member) => quote!(.#member),
+        crate::kernel::model::Projection::Index(index) => {
+            let index = rewrite.expr(index);
+            quote!([#index])
+        }
+    });
+    let place = quote!(#target #(#part)*);
+    let private = private();
+    match op {
+        None => quote_spanned!(span=> #place = #value;),
+        Some(Op::Min) => quote_spanned!(span=> #place = #private::min(#place, #value);),
+        Some(Op::Max) => quote_spanned!(span=> #place = #private::max(#place, #value);),
+        Some(op) => {
+            let op: TokenStream = op.text().parse().unwrap_or_default();
+            let op = op.into_iter().map(|mut token| {
+                token.set_span(span);
+                token
+            });
+            let op: TokenStream = op.collect();
+            quote!(#place #op #value;)
+        }
+    }
+}
+
+/// `view.add(index, value)`.
+fn accumulate(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, access: &Access, view: &Ident) -> TokenStream {
+    let Action::Update { op, value, .. } = &access.action else { unreachable!("an accumulation has an operator") };
+    let ends = Ends::of(&access.spot);
+    let value = rewrite.expr(value);
+    let method = match op {
+        Op::Add => "add",
+        Op::Sub => "sub",
+        Op::Mul => "mul",
+        Op::Min => "min",
+        Op::Max => "max",
+        Op::Or => "or",
+        Op::And => "and",
+        Op::Xor => "xor",
+        Op::Div | Op::Rem | Op::Shl | Op::Shr => unreachable!("`{}` accumulates nothing", op.text()),
+    };
+    match launch.based(node) {
+        Some((base, offset)) => ends.call(view, &format!("{method}_at"), quote!(&#base, #offset, #value)),
+        None => {
+            let index = rewrite.expr(&access.index);
+            ends.call(view, method, quote!(#index, #value))
+        }
+    }
+}

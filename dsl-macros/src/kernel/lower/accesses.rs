@@ -1,0 +1,270 @@
+//! Accesses, assignments and calls.
+
+use quote::ToTokens;
+use syn::spanned::Spanned;
+use syn::visit_mut::{self, VisitMut};
+use syn::{Expr, Ident};
+
+use super::index::Iteration;
+use super::scope::Kind;
+use super::targets::root;
+use super::{Lower, Mode};
+use crate::kernel::model::{
+    Access, Action, Assigned, Capture, FieldCall, Node, Op, Place, Projection, Reduce, Reduction, Spot, What,
+};
+use crate::kernel::syntax::{bare, compound, name_of};
+
+/// Methods of fields that the language knows and this version lacks.
+const LATER_FIELD_METHODS: &[&str] = &[
+    "or", "clamped", "wrapped", "append", "try_append", "activate", "deactivate", "is_active", "row", "get_unchecked",
+    "set_unchecked",
+];
+
+/// Methods of elements that the language knows and this version lacks.
+const LATER_ELEMENT_METHODS: &[&str] =
+    &["fetch_add", "fetch_sub", "fetch_min", "fetch_max", "fetch_or", "fetch_and", "fetch_xor", "swap", "compare_exchange"];
+
+impl Lower {
+    /// Reads `field.path[index]`, or indexes something else.
+    pub(super) fn visit_index(&mut self, expr: &mut Expr) {
+        if !self.is_access(expr) {
+            return visit_mut::visit_expr_mut(self, expr);
+        }
+        let Expr::Index(index) = bare(expr).clone() else { return };
+        let spot = Spot::new(expr);
+        *expr = self.access(index, Action::Read, spot);
+    }
+
+    /// The placeholder of a new access.
+    fn access(&mut self, target: syn::ExprIndex, action: Action, spot: Spot) -> Expr {
+        let Some(base) = self.base(&target.expr) else { return Expr::Index(target) };
+        let span = target.span();
+        let target_spot = Spot::new(&target);
+        let mut index = *target.index;
+        let place = match self.parallel() {
+            Some(number) => {
+                let parallel = &self.kernel.loops[number];
+                Iteration { variables: &parallel.variables, tuple: parallel.tuple, rank: parallel.rank }.place(&index)
+            }
+            None => Place::Computed,
+        };
+        // An own index is never evaluated: its place in the loop is what counts.
+        if matches!(place, Place::Computed | Place::Places(_)) {
+            self.visit_expr_mut(&mut index);
+        }
+        let parallel = self.parallel();
+        let access =
+            Access { field: base.field, path: base.path, index, place, action, parallel, spot, target: target_spot };
+        let node = self.node(Node::Access(Box::new(access)), span);
+        if let Some(number) = parallel {
+            self.kernel.loops[number].accesses.push(self.kernel.nodes.len() - 1);
+        }
+        node
+    }
+
+    /// `target = value`.
+    pub(super) fn visit_assign(&mut self, expr: &mut Expr, statement: bool) {
+        let spot = Spot::new(expr);
+        let Expr::Assign(assign) = expr else { return };
+        if let Some((access, mut part)) = self.target(&assign.left) {
+            if !statement {
+                self.find(What::AssignmentValue { text: spot.text(), accumulates: false }, &spot.tokens);
+            }
+            self.visit_expr_mut(&mut assign.right);
+            self.visit_part(&mut part);
+            let value = (*assign.right).clone();
+            *expr = self.access(access, Action::Write { part, value }, spot);
+            return;
+        }
+        if self.holds_access(&assign.left) {
+            self.visit_expr_mut(&mut assign.right);
+            return self.find(What::Destructuring, &spot.tokens);
+        }
+        if let Some((name, kind)) = self.outer_root(&assign.left) {
+            let how = if kind == Assigned::Reference { kind } else { Assigned::Plain };
+            self.find(What::OuterAssigned { name: name.to_string(), how }, &spot.tokens);
+            return self.visit_expr_mut(&mut assign.right);
+        }
+        visit_mut::visit_expr_mut(self, expr);
+    }
+
+    fn visit_part(&mut self, part: &mut [Projection]) {
+        for step in part {
+            if let Projection::Index(index) = step {
+                self.visit_expr_mut(index);
+            }
+        }
+    }
+
+    /// The variable from outside the parallel loop that a left side changes, and how.
+    fn outer_root(&self, left: &Expr) -> Option<(Ident, Assigned)> {
+        let (name, part, dereferenced) = root(left)?;
+        let kind = self.outer(name)?;
+        let how = if dereferenced || matches!(kind, Kind::Reference | Kind::Exclusive) {
+            Assigned::Reference
+        } else if part {
+            Assigned::Part
+        } else {
+            Assigned::Plain
+        };
+        Some((name.clone(), how))
+    }
+
+    /// `target op= value`.
+    pub(super) fn visit_update(&mut self, expr: &mut Expr, statement: bool) {
+        let spot = Spot::new(expr);
+        let Expr::Binary(binary) = &*expr else { return };
+        let Some(op) = compound(&binary.op) else { return };
+        let (left, right) = ((*binary.left).clone(), (*binary.right).clone());
+        if !self.update(expr, &left, right, op, statement, spot) {
+            visit_mut::visit_expr_mut(self, expr);
+        }
+    }
+
+    /// Replaces an accumulation by its node; `false` if it is one into a variable of the loop itself.
+    fn update(&mut self, expr: &mut Expr, left: &Expr, mut value: Expr, op: Op, statement: bool, spot: Spot) -> bool {
+        if let Some((access, mut part)) = self.target(left) {
+            if !statement {
+                self.find(What::AssignmentValue { text: spot.text(), accumulates: true }, &spot.tokens);
+            }
+            self.visit_expr_mut(&mut value);
+            self.visit_part(&mut part);
+            *expr = self.access(access, Action::Update { part, op, value }, spot);
+            return true;
+        }
+        let Some((variable, how)) = self.outer_root(left) else { return false };
+        self.visit_expr_mut(&mut value);
+        match (how, op.group()) {
+            (Assigned::Plain, Some(_)) => {
+                self.reduction(&variable, op, &spot);
+                *expr = self.node(Node::Reduce(Reduce { variable, op, value }), spot.tokens.span());
+            }
+            (Assigned::Plain, None) => {
+                self.find(What::OuterAssigned { name: variable.to_string(), how: Assigned::Operator(op) }, &spot.tokens);
+            }
+            (how, _) => self.find(What::OuterAssigned { name: variable.to_string(), how }, &spot.tokens),
+        }
+        true
+    }
+
+    fn reduction(&mut self, name: &Ident, op: Op, spot: &Spot) {
+        let (Some(number), Some(group)) = (self.parallel(), op.group()) else { return };
+        let reductions = &mut self.kernel.loops[number].reductions;
+        match reductions.iter().find(|reduction| reduction.name == *name) {
+            None => reductions.push(Reduction { name: name.clone(), group, first: (op, spot.clone()) }),
+            Some(known) if known.group != group => {
+                let what = What::ReductionGroups {
+                    name: name.to_string(),
+                    op,
+                    first: known.first.0,
+                    line: known.first.1.line(),
+                };
+                self.find(what, &spot.tokens);
+            }
+            Some(_) => {}
+        }
+    }
+
+    /// Notes that the parallel loop reads a variable from outside.
+    pub(super) fn capture(&mut self, name: &Ident, kind: Kind) {
+        let Some(number) = self.parallel() else { return };
+        let captures = &mut self.kernel.loops[number].captures;
+        if !captures.iter().any(|capture| capture.name == *name) {
+            captures.push(Capture { name: name.clone(), reference: kind == Kind::Reference });
+        }
+    }
+
+    /// `receiver.method(arguments)`.
+    pub(super) fn visit_method_call(&mut self, expr: &mut Expr, statement: bool) {
+        let spot = Spot::new(expr);
+        let Expr::MethodCall(call) = &mut *expr else { return };
+        let name = call.method.to_string();
+        let op = match name.as_str() {
+            "min_assign" => Some(Op::Min),
+            "max_assign" => Some(Op::Max),
+            _ => None,
+        };
+        if let (Some(op), 1) = (op, call.args.len()) {
+            let (left, value) = ((*call.receiver).clone(), call.args[0].clone());
+            if self.update(expr, &left, value, op, statement, spot.clone()) {
+                return;
+            }
+            return visit_mut::visit_expr_mut(self, expr);
+        }
+        if let Some(base) = self.borrowed_base(&call.receiver) {
+            return self.field_method(expr, base.field, base.path.is_empty(), &name);
+        }
+        if self.is_access(&call.receiver) && LATER_ELEMENT_METHODS.contains(&name.as_str()) && (name != "swap" || call.args.len() == 1)
+        {
+            let method = call.method.clone();
+            self.find(What::ElementMethod { name }, &method);
+            return call.args.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
+        }
+        let function = call.method.to_string();
+        self.visit_expr_mut(&mut call.receiver);
+        for argument in &mut call.args {
+            self.visit_argument(argument, &function);
+        }
+    }
+
+    fn field_method(&mut self, expr: &mut Expr, field: usize, whole: bool, name: &str) {
+        let Expr::MethodCall(call) = &mut *expr else { return };
+        let method = call.method.clone();
+        let later = LATER_FIELD_METHODS.contains(&name);
+        if later {
+            self.find(What::FieldMethod { field, name: name.to_owned(), later }, &method);
+        } else if let Some(number) = self.parallel() {
+            if whole && call.args.is_empty() && matches!(name, "len" | "shape") {
+                self.kernel.loops[number].shapes.insert(field);
+                *expr = self.node(Node::FieldCall(FieldCall { field, method: method.clone() }), method.span());
+                return;
+            }
+            self.find(What::FieldMethod { field, name: name.to_owned(), later }, &method);
+        } else if !whole {
+            let receiver = call.receiver.to_token_stream();
+            self.find(What::BareMember { field, in_loop: false }, &receiver);
+        }
+        call.args.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
+    }
+
+    /// `function(arguments)`.
+    pub(super) fn visit_call(&mut self, call: &mut syn::ExprCall) {
+        let function = call.func.to_token_stream().to_string();
+        if let Expr::Path(path) = &*call.func {
+            let random = path.qself.is_none() && path.path.segments.len() == 1 && path.path.segments[0].ident == "random";
+            if random && call.args.len() == 2 && self.scopes.find(&path.path.segments[0].ident).is_none() {
+                self.find(What::Random, &path.path);
+            }
+        }
+        self.visit_expr_mut(&mut call.func);
+        for argument in &mut call.args {
+            self.visit_argument(argument, &function);
+        }
+    }
+
+    /// An argument of a call: fields are not handed on inside a parallel loop.
+    fn visit_argument(&mut self, argument: &mut Expr, function: &str) {
+        match self.borrowed_base(argument) {
+            Some(_) if self.parallel().is_some() => {
+                self.find(What::Argument { function: function.to_owned() }, argument);
+            }
+            _ => self.visit_expr_mut(argument),
+        }
+    }
+
+    /// `base.member`.
+    pub(super) fn visit_field_access(&mut self, expr: &mut Expr) {
+        match self.base(expr) {
+            Some(base) => {
+                let in_loop = self.mode != Mode::Top && self.parallel().is_some();
+                self.find(What::BareMember { field: base.field, in_loop }, expr);
+            }
+            None => visit_mut::visit_expr_mut(self, expr),
+        }
+    }
+
+    /// Whether an expression is a name that stands for a field.
+    pub(super) fn field_name(&self, expr: &Expr) -> Option<usize> {
+        self.field(name_of(expr)?)
+    }
+}

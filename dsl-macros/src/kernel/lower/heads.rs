@@ -1,0 +1,174 @@
+//! Loop heads: what a `for` runs over.
+
+use proc_macro2::TokenStream;
+use syn::parse::Parser;
+use syn::punctuated::Punctuated;
+use syn::spanned::Spanned;
+use syn::{Expr, RangeLimits, Token};
+
+use super::Lower;
+use crate::kernel::model::{Head, What};
+use crate::kernel::syntax::{bare, integer};
+use crate::kernel::text::text;
+
+/// Heads that the language knows and this version lacks.
+const LATER_HEADS: &[&str] = &["border", "checkerboard", "colored", "row"];
+
+impl Lower {
+    /// The head of a parallel loop; what is in no list is a finding.
+    pub(super) fn parallel_head(&mut self, expr: &mut Expr) -> Head {
+        if let Some(head) = self.field_head(expr, true) {
+            return head;
+        }
+        match bare(expr) {
+            Expr::Range(_) => self.ranges(vec![bare(expr).clone()]),
+            Expr::Macro(call) if call.mac.path.is_ident("ndrange") => {
+                let tokens = call.mac.tokens.clone();
+                self.ndrange(tokens)
+            }
+            Expr::Macro(call) if call.mac.path.is_ident("unroll") => {
+                self.find(What::OutermostUnroll, expr);
+                Head::Invalid
+            }
+            other => {
+                let range = holds_range(other);
+                self.find(What::Head { range }, expr);
+                Head::Invalid
+            }
+        }
+    }
+
+    /// A head over a field: `f`, `f.interior(w)`. Other methods of fields are findings where the loop is parallel.
+    pub(super) fn field_head(&mut self, expr: &mut Expr, parallel: bool) -> Option<Head> {
+        if let Some(field) = self.field_name(expr) {
+            return Some(Head::Field(field));
+        }
+        if let (true, Some(base)) = (parallel, self.base(expr)) {
+            debug_assert!(!base.path.is_empty());
+            self.find(What::MemberHead, expr);
+            return Some(Head::Invalid);
+        }
+        let whole = expr.clone();
+        let Expr::MethodCall(call) = bare(expr) else { return None };
+        let name = call.method.to_string();
+        if LATER_HEADS.contains(&name.as_str()) && self.mentions_field(&call.receiver) {
+            self.find(What::LaterHead { name }, &call.method.clone());
+            return Some(Head::Invalid);
+        }
+        let field = self.field_name(&call.receiver)?;
+        if name != "interior" || call.args.len() != 1 {
+            if parallel {
+                self.find(What::Head { range: false }, &whole);
+                return Some(Head::Invalid);
+            }
+            return None;
+        }
+        let mut width = call.args[0].clone();
+        self.visit_expr_mut_free(&mut width);
+        Some(Head::Interior { field, width: Box::new(width) })
+    }
+
+    fn mentions_field(&self, expr: &Expr) -> bool {
+        match bare(expr) {
+            Expr::MethodCall(call) => self.mentions_field(&call.receiver),
+            other => self.base(other).is_some(),
+        }
+    }
+
+    /// `ndrange!(a..b, c..d)`.
+    pub(super) fn ndrange(&mut self, tokens: TokenStream) -> Head {
+        match arguments(tokens.clone()) {
+            Some(list) if !list.is_empty() && list.iter().all(|part| matches!(bare(part), Expr::Range(_))) => {
+                self.ranges(list.iter().map(|part| bare(part).clone()).collect())
+            }
+            _ => {
+                self.find(What::HeadArguments { name: "ndrange".to_owned() }, &tokens);
+                Head::Invalid
+            }
+        }
+    }
+
+    fn ranges(&mut self, list: Vec<Expr>) -> Head {
+        let mut ranges = Vec::new();
+        for range in list {
+            let Expr::Range(parts) = &range else { continue };
+            match (&parts.start, &parts.end, &parts.limits) {
+                (Some(start), Some(end), RangeLimits::HalfOpen(_)) => {
+                    let (mut start, mut end) = ((**start).clone(), (**end).clone());
+                    self.visit_expr_mut_free(&mut start);
+                    self.visit_expr_mut_free(&mut end);
+                    ranges.push((start, end));
+                }
+                (Some(start), Some(end), RangeLimits::Closed(_)) => {
+                    let what = What::InclusiveRange { start: text(start), end: text(end) };
+                    self.find(what, &range);
+                    return Head::Invalid;
+                }
+                _ => {
+                    self.find(What::OpenRange, &range);
+                    return Head::Invalid;
+                }
+            }
+        }
+        Head::Ranges(ranges)
+    }
+
+    /// Visits an expression of a head, which is evaluated outside the loop.
+    fn visit_expr_mut_free(&mut self, expr: &mut Expr) {
+        syn::visit_mut::VisitMut::visit_expr_mut(self, expr);
+    }
+
+    /// The constant ranges of `unroll!`.
+    pub(super) fn unroll_ranges(&mut self, tokens: TokenStream) -> Option<Vec<(i32, i32)>> {
+        let Some(list) = arguments(tokens.clone()).filter(|list| !list.is_empty()) else {
+            self.find(What::HeadArguments { name: "unroll".to_owned() }, &tokens);
+            return None;
+        };
+        if list.len() == 2 && matches!(bare(&list[0]), Expr::Path(_)) && matches!(bare(&list[1]), Expr::Range(_)) {
+            self.find(What::UnrollAxes, &tokens);
+            return None;
+        }
+        let mut ranges = Vec::new();
+        for range in &list {
+            let Expr::Range(parts) = bare(range) else {
+                self.find(What::HeadArguments { name: "unroll".to_owned() }, range);
+                return None;
+            };
+            match (&parts.start, &parts.end) {
+                (Some(start), Some(end)) => {
+                    let (Some(first), Some(last)) = (integer(start), integer(end)) else {
+                        self.find(What::UnrollBound, if integer(start).is_none() { start } else { end });
+                        return None;
+                    };
+                    let inclusive = matches!(parts.limits, RangeLimits::Closed(_));
+                    ranges.push((first, if inclusive { last.saturating_add(1) } else { last }));
+                }
+                _ => {
+                    self.find(What::OpenRange, range);
+                    return None;
+                }
+            }
+        }
+        Some(ranges)
+    }
+}
+
+/// Expressions separated by commas.
+fn arguments(tokens: TokenStream) -> Option<Vec<Expr>> {
+    let list = Punctuated::<Expr, Token![,]>::parse_terminated.parse2(tokens).ok()?;
+    Some(list.into_iter().collect())
+}
+
+/// Whether an expression is built upon a range, such as `(0..n).rev()`.
+fn holds_range(expr: &Expr) -> bool {
+    match bare(expr) {
+        Expr::Range(_) => true,
+        Expr::MethodCall(call) => holds_range(&call.receiver),
+        _ => false,
+    }
+}
+
+/// The whole of a head as a span for what replaces it.
+pub(super) fn span(expr: &Expr) -> proc_macro2::Span {
+    expr.span()
+}

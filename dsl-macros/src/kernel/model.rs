@@ -1,0 +1,469 @@
+//! What the user meant: the kernel with its fields, loops and accesses, spans kept.
+//!
+//! The body stays Rust's syntax tree; whatever belongs to the language in it is replaced by a placeholder that names a
+//! [`Node`]. Back-ends read this model and nothing else.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Literal, Span, TokenStream};
+use quote::{ToTokens, quote};
+use syn::spanned::Spanned;
+use syn::{Block, Expr, Ident, ItemFn, Label, Member, Type};
+
+use super::text::text;
+
+/// The name of the placeholder macro; no user can write it by chance.
+const PLACEHOLDER: &str = "__allotrope_node";
+
+/// A kernel.
+pub(crate) struct Kernel {
+    /// The function, its body with placeholders.
+    pub(crate) function: ItemFn,
+    /// The options in `#[kernel(..)]`.
+    pub(crate) options: TokenStream,
+    /// The parameters that are fields.
+    pub(crate) fields: Vec<FieldParam>,
+    /// What the placeholders stand for.
+    pub(crate) nodes: Vec<Node>,
+    /// The parallel loops.
+    pub(crate) loops: Vec<Loop>,
+    /// Every name that the body binds, outside nested items.
+    pub(crate) bound: Vec<Ident>,
+    /// Those that some pattern binds as `mut`.
+    pub(crate) mutable: BTreeSet<String>,
+    /// What the rules must judge and the tree cannot show.
+    pub(crate) findings: Vec<Finding>,
+}
+
+/// A parameter that is a field.
+pub(crate) struct FieldParam {
+    pub(crate) name: Ident,
+    /// `&mut Field` or `&Field`.
+    pub(crate) mutable: bool,
+    /// The number of axes, where the type tells.
+    pub(crate) rank: Option<usize>,
+    /// The type as written.
+    pub(crate) ty: Type,
+}
+
+/// The user's tokens for a message.
+#[derive(Clone)]
+pub(crate) struct Spot {
+    pub(crate) tokens: TokenStream,
+}
+
+impl Spot {
+    pub(crate) fn new(tokens: &impl ToTokens) -> Self {
+        Self { tokens: tokens.to_token_stream() }
+    }
+
+    /// The source line it starts in.
+    pub(crate) fn line(&self) -> usize {
+        self.tokens.span().start().line
+    }
+
+    /// The tokens as one would write them.
+    pub(crate) fn text(&self) -> String {
+        text(&self.tokens)
+    }
+}
+
+/// A part of the body that belongs to the language.
+pub(crate) enum Node {
+    Access(Box<Access>),
+    /// A parallel loop, by its place in [`Kernel::loops`].
+    Launch(usize),
+    /// The head of a serial loop over a field or an `ndrange!`.
+    Indices(Indices),
+    Unroll(Unroll),
+    Macro(MacroCall),
+    /// `f.len()` and its like inside a parallel loop.
+    FieldCall(FieldCall),
+    /// An accumulation into a variable of the top level.
+    Reduce(Reduce),
+    /// A `break` or `continue` of a parallel or unrolled loop.
+    Jump(Jump),
+}
+
+/// One element read or written: `field.path[index]`.
+pub(crate) struct Access {
+    pub(crate) field: usize,
+    /// The member, outermost record first; empty for the whole record.
+    pub(crate) path: Vec<Ident>,
+    /// The index as an expression with placeholders.
+    pub(crate) index: Expr,
+    /// Where the index lies as seen from the parallel loop around it.
+    pub(crate) place: Place,
+    /// What is done there.
+    pub(crate) action: Action,
+    /// The parallel loop around it.
+    pub(crate) parallel: Option<usize>,
+    /// The whole expression: for a write with its right side.
+    pub(crate) spot: Spot,
+    /// `field.path[index]` alone.
+    pub(crate) target: Spot,
+}
+
+/// Where an index lies as seen from an iteration.
+pub(crate) enum Place {
+    /// The iteration's own index.
+    Own,
+    /// The own index plus constants, one for each axis.
+    Offset(Vec<i32>),
+    /// Every loop variable stands alone in some place, in another order or beside others.
+    Places(Vec<Slot>),
+    /// Anything else.
+    Computed,
+}
+
+/// What stands in one place of an index.
+#[derive(Clone, Copy)]
+pub(crate) enum Slot {
+    /// The loop variable of that number, alone.
+    Variable(usize),
+    /// Anything else: the part of the index in that place.
+    Free,
+}
+
+/// What an access does.
+pub(crate) enum Action {
+    Read,
+    /// `= value`, to the part that the projections name.
+    Write { part: Vec<Projection>, value: Expr },
+    /// `op= value`.
+    Update { part: Vec<Projection>, op: Op, value: Expr },
+}
+
+/// One step from an element to a part of it.
+pub(crate) enum Projection {
+    Member(Member),
+    Index(Box<Expr>),
+}
+
+/// The operator of a compound assignment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Op {
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Rem,
+    And,
+    Or,
+    Xor,
+    Shl,
+    Shr,
+    Min,
+    Max,
+}
+
+/// Operators that may be mixed in one accumulation, since their order does not matter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Group {
+    Sum,
+    Product,
+    Min,
+    Max,
+    And,
+    Or,
+    Xor,
+}
+
+impl Op {
+    /// The group it accumulates in; division, remainder and shifts accumulate nothing.
+    pub(crate) fn group(self) -> Option<Group> {
+        Some(match self {
+            Op::Add | Op::Sub => Group::Sum,
+            Op::Mul => Group::Product,
+            Op::Min => Group::Min,
+            Op::Max => Group::Max,
+            Op::And => Group::And,
+            Op::Or => Group::Or,
+            Op::Xor => Group::Xor,
+            Op::Div | Op::Rem | Op::Shl | Op::Shr => return None,
+        })
+    }
+
+    /// As users write it.
+    pub(crate) fn text(self) -> &'static str {
+        match self {
+            Op::Add => "+=",
+            Op::Sub => "-=",
+            Op::Mul => "*=",
+            Op::Div => "/=",
+            Op::Rem => "%=",
+            Op::And => "&=",
+            Op::Or => "|=",
+            Op::Xor => "^=",
+            Op::Shl => "<<=",
+            Op::Shr => ">>=",
+            Op::Min => "min_assign",
+            Op::Max => "max_assign",
+        }
+    }
+}
+
+/// A parallel loop.
+pub(crate) struct Loop {
+    pub(crate) head: Head,
+    /// The loop variables; `None` for `_`.
+    pub(crate) variables: Vec<Option<Ident>>,
+    /// Whether they were written as a tuple.
+    pub(crate) tuple: bool,
+    /// The number of axes, where it is known.
+    pub(crate) rank: Option<usize>,
+    /// The schedule from `#[scatter(..)]`.
+    pub(crate) scatter: Option<Ident>,
+    /// Attributes that are Rust's.
+    pub(crate) attributes: Vec<syn::Attribute>,
+    pub(crate) body: Block,
+    /// `for .. in ..`, for messages.
+    pub(crate) spot: Spot,
+    pub(crate) accesses: Vec<usize>,
+    pub(crate) reductions: Vec<Reduction>,
+    /// Variables from outside that the body reads, each once, and where.
+    pub(crate) captures: Vec<Capture>,
+    /// Names bound in the body.
+    pub(crate) bound: Vec<Ident>,
+    /// Names that a macro which the kernel does not know, or a format string, mentions.
+    pub(crate) hidden: BTreeSet<String>,
+    /// Macros that the kernel does not know.
+    pub(crate) macros: Vec<OpaqueMacro>,
+    /// The heads of inner `for` loops.
+    pub(crate) inner: Vec<InnerLoop>,
+    /// Whether there is any inner loop.
+    pub(crate) loops: bool,
+    /// Whether a `continue` of this loop occurs.
+    pub(crate) continues: bool,
+    /// Fields used only through `len`, `shape` or an inner loop's head.
+    pub(crate) shapes: BTreeSet<usize>,
+}
+
+/// A loop inside a parallel loop.
+pub(crate) struct InnerLoop {
+    pub(crate) spot: Spot,
+}
+
+/// What a loop runs over.
+pub(crate) enum Head {
+    /// `for p in f`.
+    Field(usize),
+    /// `for p in f.interior(width)`.
+    Interior { field: usize, width: Box<Expr> },
+    /// `for i in a..b`, or several ranges in `ndrange!`.
+    Ranges(Vec<(Expr, Expr)>),
+    /// None of these: a finding tells why.
+    Invalid,
+}
+
+impl Head {
+    /// The field that the loop runs over.
+    pub(crate) fn field(&self) -> Option<usize> {
+        match self {
+            Head::Field(field) | Head::Interior { field, .. } => Some(*field),
+            Head::Ranges(_) | Head::Invalid => None,
+        }
+    }
+}
+
+/// A variable of the top level that a loop accumulates into.
+pub(crate) struct Reduction {
+    pub(crate) name: Ident,
+    pub(crate) group: Group,
+    /// The first operator, for messages.
+    pub(crate) first: (Op, Spot),
+}
+
+/// A variable from outside that a loop reads.
+pub(crate) struct Capture {
+    pub(crate) name: Ident,
+    /// A parameter of type `&T`, or `&self`.
+    pub(crate) reference: bool,
+}
+
+/// A macro call that is left as it is.
+pub(crate) struct OpaqueMacro {
+    pub(crate) name: String,
+    pub(crate) spot: Spot,
+    /// The names in its tokens.
+    pub(crate) mentions: Vec<Ident>,
+    /// `macro_rules!`.
+    pub(crate) definition: bool,
+}
+
+/// The head of a serial loop.
+pub(crate) struct Indices {
+    pub(crate) head: Head,
+    pub(crate) tuple: bool,
+    pub(crate) parallel: Option<usize>,
+}
+
+/// A loop unrolled at compile time.
+pub(crate) struct Unroll {
+    pub(crate) label: Option<Label>,
+    /// The variables; `None` for `_`.
+    pub(crate) variables: Vec<Option<Ident>>,
+    /// One half-open range for each variable.
+    pub(crate) ranges: Vec<(i32, i32)>,
+    pub(crate) body: Block,
+    pub(crate) breaks: bool,
+    pub(crate) continues: bool,
+    /// The accesses inside, inner loops included.
+    pub(crate) accesses: Vec<usize>,
+    /// Constant offsets that the body binds to a name: `let offset = ivec2(i, j)`.
+    pub(crate) offsets: Vec<(Ident, Expr)>,
+    /// Names bound in the body.
+    pub(crate) bound: Vec<Ident>,
+}
+
+/// A call of a macro of the standard library whose arguments are expressions.
+pub(crate) struct MacroCall {
+    pub(crate) call: syn::Macro,
+    pub(crate) arguments: MacroArguments,
+}
+
+/// The arguments of a known macro.
+pub(crate) enum MacroArguments {
+    /// `a, b, name = c`.
+    List(Vec<Expr>),
+    /// `vec![value; count]`.
+    Repeat(Box<Expr>, Box<Expr>),
+    /// `matches!(value, pattern if guard)`.
+    Matches { value: Box<Expr>, pattern: Box<syn::Pat>, guard: Option<Box<Expr>> },
+}
+
+/// A call of a field's method inside a parallel loop.
+pub(crate) struct FieldCall {
+    pub(crate) field: usize,
+    pub(crate) method: Ident,
+}
+
+/// `variable op= value`.
+pub(crate) struct Reduce {
+    pub(crate) variable: Ident,
+    pub(crate) op: Op,
+    pub(crate) value: Expr,
+}
+
+/// A `break` or `continue` whose loop the expansion rewrites.
+pub(crate) enum Jump {
+    /// `continue` of the parallel loop.
+    Element,
+    /// `continue` of the unrolled loop behind this node.
+    Step(usize),
+    /// `break` of the unrolled loop behind this node.
+    Leave(usize),
+}
+
+/// What the rules must judge and the tree cannot show.
+pub(crate) struct Finding {
+    pub(crate) what: What,
+    pub(crate) spot: Spot,
+}
+
+/// Kinds of findings.
+pub(crate) enum What {
+    /// The head of a parallel loop is not in the list.
+    Head { range: bool },
+    /// `a..=b` in a head that needs a half-open range.
+    InclusiveRange { start: String, end: String },
+    /// `a..` or `..b`.
+    OpenRange,
+    /// A head that is not available yet.
+    LaterHead { name: String },
+    /// `for p in f.m`.
+    MemberHead,
+    /// `unroll!` as the head of an outermost loop.
+    OutermostUnroll,
+    /// A pattern of a parallel loop that is no name or tuple of names.
+    Pattern,
+    /// An attribute that is not available yet.
+    LaterAttribute { name: String },
+    /// `#[scatter(..)]` with something else inside.
+    ScatterName { found: String },
+    /// `#[scatter(..)]` on a loop that is not parallel.
+    ScatterPlace,
+    /// `break`, `return`, `?` or `.await` out of a parallel loop.
+    Escape { how: &'static str },
+    /// A bound of `unroll!` that is no integer literal.
+    UnrollBound,
+    /// `unroll!` whose pattern does not fit its ranges.
+    UnrollPattern { ranges: usize },
+    /// `unroll!(X, 0..3)`.
+    UnrollAxes,
+    /// Arguments that are no ranges.
+    HeadArguments { name: String },
+    /// `unroll!` or `ndrange!` elsewhere than in a head.
+    HeadMacro { name: String },
+    /// A bare member, such as `f.m` without an index.
+    BareMember { field: usize, in_loop: bool },
+    /// A bare field inside a parallel loop.
+    BareField { field: usize },
+    /// A field or member bound by `let`.
+    Alias,
+    /// A field or member handed to a function inside a parallel loop.
+    Argument { function: String },
+    /// A method of a field inside a parallel loop.
+    FieldMethod { field: usize, name: String, later: bool },
+    /// A method of an element that is not available yet.
+    ElementMethod { name: String },
+    /// The value of an assignment to an element.
+    AssignmentValue { text: String, accumulates: bool },
+    /// A destructuring assignment to elements.
+    Destructuring,
+    /// A variable from outside assigned in a parallel loop.
+    OuterAssigned { name: String, how: Assigned },
+    /// A reduction read in its loop.
+    ReductionRead { name: String },
+    /// A reduction with two groups.
+    ReductionGroups { name: String, op: Op, first: Op, line: usize },
+    /// `random(seed, key)`.
+    Random,
+}
+
+/// How a variable from outside is assigned.
+#[derive(PartialEq, Eq)]
+pub(crate) enum Assigned {
+    /// `x = ..`, or a part of it.
+    Plain,
+    /// `x /= ..` and its like.
+    Operator(Op),
+    /// `x.y += ..` or `x[k] += ..`.
+    Part,
+    /// Through a reference.
+    Reference,
+}
+
+impl Kernel {
+    /// The access behind a node.
+    pub(crate) fn access(&self, node: usize) -> &Access {
+        match &self.nodes[node] {
+            Node::Access(access) => access,
+            _ => unreachable!("node {node} is an access"),
+        }
+    }
+}
+
+/// The expression that stands for a node.
+pub(crate) fn placeholder(node: usize, span: Span) -> Expr {
+    let name = Ident::new(PLACEHOLDER, span);
+    let number = Literal::usize_unsuffixed(node);
+    syn::parse_quote!(#name!(#number))
+}
+
+/// The node that an expression stands for.
+pub(crate) fn node_of(expr: &Expr) -> Option<usize> {
+    match expr {
+        Expr::Macro(call) if call.mac.path.is_ident(PLACEHOLDER) => call.mac.tokens.to_string().parse().ok(),
+        _ => None,
+    }
+}
+
+impl ToTokens for Projection {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        tokens.extend(match self {
+            Projection::Member(member) => quote!(.#member),
+            Projection::Index(index) => quote!([#index]),
+        });
+    }
+}

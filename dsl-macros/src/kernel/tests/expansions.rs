@@ -1,0 +1,403 @@
+//! What kernels expand to.
+
+use super::expansion;
+
+#[test]
+fn light_loop() {
+    insta::assert_snapshot!(expansion(
+        "fn saxpy(y: &mut Field<f32, _>, x: &Field<f32, Soa>, a: f32) { for p in y { y[p] += a * x[p]; } }"
+    ), @r#"
+fn saxpy(
+    y: &mut Field<f32, impl ::allotrope::Layout<::allotrope::I>>,
+    x: &Field<f32, Soa>,
+    a: f32,
+) {
+    {
+        use ::allotrope::__private::{Hold as _, Lend as _};
+        use ::allotrope::__private::Space as _;
+        let __y = ::allotrope::__private::exclusive(
+            &mut *y,
+            &::allotrope::__private::Site {
+                kernel: "saxpy",
+                field: "y",
+            },
+        );
+        let __x = ::allotrope::__private::shared(
+            &*x,
+            &::allotrope::__private::Site {
+                kernel: "saxpy",
+                field: "x",
+            },
+        );
+        let __space = ::allotrope::__private::over(__y);
+        let __fits = __space.fits(__x, [0], [0]);
+        ::allotrope::__private::assert_shared(&a);
+        ::allotrope::__private::launch(
+            &__space,
+            ::allotrope::__private::Options {
+                kernel: "saxpy",
+                fits: __fits,
+                heavy: false,
+                scatter: ::core::option::Option::None,
+                targets: &[],
+            },
+            #[inline(always)]
+            |__task| {
+                let (__y, __x) = (__y, __x);
+                let __a = ::allotrope::__private::Wrap(&a).hold();
+                let y = ::allotrope::__private::NotAnAccess;
+                let x = ::allotrope::__private::NotAnAccess;
+                let _ = (&y, &x);
+                __task
+                    .rows(
+                        #[inline(always)]
+                        |__run| {
+                            let __x_row = __x
+                                .row(&__run, ::allotrope::__private::Whole, [0]);
+                            let __buffer1 = ::allotrope::__private::buffer();
+                            let __y_own = __y
+                                .held(&__run, ::allotrope::__private::Whole, &__buffer1);
+                            __run
+                                .each(
+                                    [0],
+                                    #[inline(always)]
+                                    |__cell| {
+                                        let p = __cell.index();
+                                        let _ = (&p,);
+                                        {
+                                            {
+                                                let __value = (*__a.get()) * (*(&__x_row.get(&__cell)));
+                                                let mut __target = __y_own.get(&__cell);
+                                                __target += __value;
+                                                __y_own.set(&__cell, __target);
+                                            };
+                                        }
+                                    },
+                                );
+                            __y_own.flush(&__run);
+                        },
+                    );
+            },
+        );
+    }
+}
+"#);
+}
+
+#[test]
+fn stencil_with_a_reduction() {
+    insta::assert_snapshot!(expansion(
+        "fn smooth(u: &Field<f32, _, Ij>, v: &mut Field<f32, _, Ij>) -> f32 {
+            let mut change = 0.0;
+            for (i, j) in v.interior(1) {
+                if skip(i) { continue; }
+                v[(i, j)] = 0.5 * (u[(i - 1, j)] + u[(i, j + 1)]);
+                change.max_assign(v[(i, j)]);
+            }
+            change
+        }"
+    ), @r#"
+fn smooth(
+    u: &Field<f32, impl ::allotrope::Layout<Ij>, Ij>,
+    v: &mut Field<f32, impl ::allotrope::Layout<Ij>, Ij>,
+) -> f32 {
+    let mut change = 0.0;
+    {
+        use ::allotrope::__private::Space as _;
+        let __u = ::allotrope::__private::shared(
+            &*u,
+            &::allotrope::__private::Site {
+                kernel: "smooth",
+                field: "u",
+            },
+        );
+        let __v = ::allotrope::__private::exclusive(
+            &mut *v,
+            &::allotrope::__private::Site {
+                kernel: "smooth",
+                field: "v",
+            },
+        );
+        let __space = ::allotrope::__private::interior(__v, 1);
+        let __fits = __space.fits(__u, [-1, 0], [0, 1]);
+        let __r0 = &mut change;
+        let __t0 = ::allotrope::__private::reduction(
+            ::allotrope::__private::Max,
+            &*__r0,
+        );
+        let __outs = ::allotrope::__private::launch(
+            &__space,
+            ::allotrope::__private::Options {
+                kernel: "smooth",
+                fits: __fits,
+                heavy: false,
+                scatter: ::core::option::Option::None,
+                targets: &[],
+            },
+            #[inline(always)]
+            |__task| {
+                let (__u, __v) = (__u, __v);
+                let u = ::allotrope::__private::NotAnAccess;
+                let v = ::allotrope::__private::NotAnAccess;
+                let _ = (&u, &v);
+                let mut __p0 = __t0.partial();
+                __task
+                    .rows(
+                        #[inline(always)]
+                        |__run| {
+                            let __u_row = __u
+                                .row(&__run, ::allotrope::__private::Whole, [-1, 0]);
+                            let __u_row1 = __u
+                                .row(&__run, ::allotrope::__private::Whole, [0, 1]);
+                            let __buffer2 = ::allotrope::__private::buffer();
+                            let __v_own = __v
+                                .held(&__run, ::allotrope::__private::Whole, &__buffer2);
+                            __run
+                                .strips(
+                                    #[inline(always)]
+                                    |__run| {
+                                        let mut __s0 = __t0.strip();
+                                        __run
+                                            .each(
+                                                [1, 1],
+                                                #[inline(always)]
+                                                |__cell| {
+                                                    let (i, j) = __cell.tuple();
+                                                    let _ = (&i, &j);
+                                                    let mut __e0 = __t0.identity();
+                                                    '__element: {
+                                                        if skip(i) {
+                                                            break '__element;
+                                                        }
+                                                        __v_own
+                                                            .set(
+                                                                &__cell,
+                                                                0.5
+                                                                    * ((*(&__u_row.get(&__cell))) + (*(&__u_row1.get(&__cell)))),
+                                                            );
+                                                        __t0.apply(&mut __e0, (*(&__v_own.get(&__cell))));
+                                                    }
+                                                    __s0.put(&__cell, __e0);
+                                                },
+                                            );
+                                        __p0.absorb(&__s0, &__run);
+                                    },
+                                );
+                            __v_own.flush(&__run);
+                        },
+                    );
+                __p0
+            },
+        );
+        for __out in __outs {
+            __t0.combine(__r0, __out);
+        }
+    }
+    change
+}
+"#);
+}
+
+#[test]
+fn unrolled_scatter() {
+    insta::assert_snapshot!(expansion(
+        "fn scatter(points: &Field<Point, _>, grid: &mut Field<Node, _, Ij>, mpm: &Mpm) {
+            for p in points {
+                let base = mpm.base(points.x[p]);
+                for (i, j) in unroll!(0..2, 0..1) {
+                    let offset = ivec2(i, j);
+                    grid.m[base + offset] += points.m[p];
+                }
+            }
+        }"
+    ), @r#"
+fn scatter(
+    points: &Field<Point, impl ::allotrope::Layout<::allotrope::I>>,
+    grid: &mut Field<Node, impl ::allotrope::Layout<Ij>, Ij>,
+    mpm: &Mpm,
+) {
+    {
+        use ::allotrope::__private::{Hold as _, Lend as _};
+        let __points = ::allotrope::__private::shared(
+            &*points,
+            &::allotrope::__private::Site {
+                kernel: "scatter",
+                field: "points",
+            },
+        );
+        let __grid = ::allotrope::__private::exclusive(
+            &mut *grid,
+            &::allotrope::__private::Site {
+                kernel: "scatter",
+                field: "grid",
+            },
+        );
+        let __space = ::allotrope::__private::over(__points);
+        let __fits = true;
+        ::allotrope::__private::assert_shared(&mpm);
+        ::allotrope::__private::launch(
+            &__space,
+            ::allotrope::__private::Options {
+                kernel: "scatter",
+                fits: __fits,
+                heavy: true,
+                scatter: ::core::option::Option::None,
+                targets: &[
+                    &__grid
+                        .target(
+                            0usize,
+                            &[(__grid.tags().m.index(), ::allotrope::__private::Op::Add)],
+                        ),
+                ],
+            },
+            #[inline(always)]
+            |__task| {
+                let (__points, __grid) = (__points, __grid);
+                let __mpm = ::allotrope::__private::Wrap(mpm).hold();
+                let points = ::allotrope::__private::NotAnAccess;
+                let grid = ::allotrope::__private::NotAnAccess;
+                let _ = (&points, &grid);
+                let __grid_m_sum = __grid.accumulate(&__task, 0usize, __grid.tags().m);
+                __task
+                    .runs(
+                        #[inline(always)]
+                        |__run| {
+                            let __points_x_row = __points
+                                .row(&__run, __points.tags().x, [0]);
+                            let __points_m_row = __points
+                                .row(&__run, __points.tags().m, [0]);
+                            __run
+                                .each(
+                                    [0],
+                                    #[inline(always)]
+                                    |__cell| {
+                                        let p = __cell.index();
+                                        let _ = (&p,);
+                                        let __h0 = __points_x_row.get(&__cell);
+                                        let __h1 = __points_m_row.get(&__cell);
+                                        {
+                                            let base = __mpm.get().base((*(&__h0)));
+                                            match (__grid.based(base, [0, 0], [1, 0]),) {
+                                                (::core::option::Option::Some(__b1_0),) => {
+                                                    {
+                                                        #[allow(unused_variables)]
+                                                        let (i, j) = (0i32, 0i32);
+                                                        let offset = ivec2(i, j);
+                                                        __grid_m_sum.add_at(&__b1_0, offset, (*(&__h1)));
+                                                    }
+                                                    {
+                                                        #[allow(unused_variables)]
+                                                        let (i, j) = (1i32, 0i32);
+                                                        let offset = ivec2(i, j);
+                                                        __grid_m_sum.add_at(&__b1_0, offset, (*(&__h1)));
+                                                    }
+                                                }
+                                                _ => {
+                                                    ::allotrope::__private::cold();
+                                                    {
+                                                        for i in 0i32..2i32 {
+                                                            for j in 0i32..1i32 {
+                                                                {
+                                                                    let offset = ivec2(i, j);
+                                                                    __grid_m_sum.add(base + offset, (*(&__h1)));
+                                                                }
+                                                            }
+                                                        }
+                                                    }
+                                                }
+                                            }
+                                        }
+                                    },
+                                );
+                        },
+                    );
+            },
+        );
+    }
+}
+"#);
+}
+
+#[test]
+fn top_level_and_serial_loops() {
+    insta::assert_snapshot!(expansion(
+        "fn host(u: &mut Field<Node, _, Ij>) -> f32 {
+            u.v[(0, 0)].y = 2.0;
+            u.m[(0, 0)] += u.m[(0, 1)];
+            u[(0, 1)] = u[(1, 1)];
+            #[serial]
+            for (i, j) in u.interior(1) {
+                u.m[(i, j)].min_assign(1.0);
+            }
+            u.m[(0, 0)]
+        }"
+    ), @r#"
+fn host(u: &mut Field<Node, impl ::allotrope::Layout<Ij>, Ij>) -> f32 {
+    {
+        let __value = 2.0;
+        let (__path, __at) = (
+            ::allotrope::__private::tags(&*u).v,
+            ::allotrope::__private::locate(&*u, (0, 0)),
+        );
+        let mut __target = ::allotrope::__private::read_at(&*u, __path, __at);
+        __target.y = __value;
+        ::allotrope::__private::write_at(&mut *u, __path, __at, __target);
+    };
+    {
+        let __value = (*(&::allotrope::__private::read(
+            &*u,
+            ::allotrope::__private::tags(&*u).m,
+            (0, 1),
+        )));
+        let (__path, __at) = (
+            ::allotrope::__private::tags(&*u).m,
+            ::allotrope::__private::locate(&*u, (0, 0)),
+        );
+        let mut __target = ::allotrope::__private::read_at(&*u, __path, __at);
+        __target += __value;
+        ::allotrope::__private::write_at(&mut *u, __path, __at, __target);
+    };
+    {
+        let __value = (*(&::allotrope::__private::read(
+            &*u,
+            ::allotrope::__private::Whole,
+            (1, 1),
+        )));
+        let (__path, __at) = (::allotrope::__private::Whole, (0, 1));
+        ::allotrope::__private::write(&mut *u, __path, __at, __value)
+    };
+    for (i, j) in ::allotrope::__private::interior_tuples(&*u, 1) {
+        {
+            let __value = 1.0;
+            let (__path, __at) = (
+                ::allotrope::__private::tags(&*u).m,
+                ::allotrope::__private::locate(&*u, (i, j)),
+            );
+            let mut __target = ::allotrope::__private::read_at(&*u, __path, __at);
+            __target = ::allotrope::__private::min(__target, __value);
+            ::allotrope::__private::write_at(&mut *u, __path, __at, __target);
+        };
+    }
+    (*(&::allotrope::__private::read(&*u, ::allotrope::__private::tags(&*u).m, (0, 0))))
+}
+"#);
+}
+
+#[test]
+fn errors_leave_a_function_of_the_same_type() {
+    insta::assert_snapshot!(expansion(
+        "/// Docs.
+        pub fn wrong(mut u: &mut Field<f32, _>, by: f32) -> f32 { for p in u { u[p + 1] = by; } by }"
+    ), @r#"
+::core::compile_error! {
+    "`u[p + 1]` is written in a parallel loop, at an index that is not the iteration's own [A0202]\n= note: it is the own element of another iteration; the own index is `p`\n= help: write at the own index, and move the indices that are read instead"
+}
+#[allow(unused, missing_docs, clippy::all)]
+pub fn wrong(
+    u: &mut Field<f32, impl ::allotrope::Layout<::allotrope::I>>,
+    by: f32,
+) -> f32 {
+    loop {}
+}
+"#);
+}

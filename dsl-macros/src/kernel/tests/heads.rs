@@ -1,0 +1,103 @@
+//! Loop heads, attributes and jumps.
+
+use super::body;
+
+#[test]
+fn the_list_of_heads_is_closed() {
+    for head in ["a in u", "ij in u", "(i, j) in u", "(i, j) in u.interior(1)", "i in 0..n", "i in 0..n as usize", "i in (0..3)"] {
+        body(&format!("for {head} {{ let _ = 1; }}"), &[]);
+    }
+    for head in ["i in (0..n).rev()", "i in [0, 1]", "i in ids.iter()", "i in u.iter()", "i in &u", "i in x", "i in u.interior()"] {
+        body(&format!("for {head} {{ let _ = 1; }}"), &["A0110"]);
+    }
+    body("for i in u.m { let _ = 1; }", &["A0110"]);
+    body("for i in unroll!(0..3) { let _ = 1; }", &["A0110"]);
+    body("for i in ndrange!(0..3, 0..4) {}", &[]);
+}
+
+#[test]
+fn ranges_are_half_open() {
+    body("for i in 0..=n {}", &["A0111"]);
+    body("for i in 0.. {}", &["A0111"]);
+    body("for (i, j) in ndrange!(0..3, 0..=4) {}", &["A0111"]);
+    body("for (i, j, k, l) in ndrange!(0..3, 0..4, 0..5, 0..6) {}", &["A0111"]);
+    body("#[serial] for i in 0..=n {}", &[]);
+    body("for a in p { for b in 0..=n {} }", &[]);
+    body("for a in p { for (b, c) in ndrange!(0..n, 1..) {} }", &["A0111"]);
+}
+
+#[test]
+fn patterns_are_names() {
+    for pattern in ["mut a", "ref a", "a @ _", "P { a }", "(a, mut b)", "(a, (b, c))", "&a", "[a, b]"] {
+        body(&format!("for {pattern} in u {{}}"), &["A0112"]);
+    }
+    body("for _ in u {}", &[]);
+    body("for (_, j) in u {}", &[]);
+    body("for a in p { for (mut b, c) in v {} }", &[]);
+}
+
+#[test]
+fn heads_of_later_versions() {
+    for head in ["u.border(1)", "u.checkerboard(0)", "u.colored(2, 1)", "u.interior(1).checkerboard(0)"] {
+        body(&format!("for (i, j) in {head} {{}}"), &["A0113"]);
+    }
+    body("for a in p { for e in u.row(a) {} }", &["A0113"]);
+    body("#[ordered] for i in 0..n { for a in p { p[a] = 1.0; } }", &["A0114"]);
+    body("#[relaxed] for a in p { p[a] = 1.0; }", &["A0114"]);
+}
+
+#[test]
+fn scatter_names_a_schedule_of_a_parallel_loop() {
+    for schedule in ["Serial", "Atomic", "Private", "Auto"] {
+        body(&format!("#[scatter({schedule})] for a in q {{ p[n] += q[a]; }}"), &[]);
+    }
+    for attribute in ["#[scatter]", "#[scatter(Fast)]", "#[scatter(Colored)]", "#[scatter(Colored, key = 1)]", "#[scatter = 1]"] {
+        body(&format!("{attribute} for a in q {{ p[n] += q[a]; }}"), &["A0115"]);
+    }
+    body("#[scatter(Atomic)] #[serial] for a in q { p[n] += q[a]; }", &["A0115"]);
+    body("for a in q { #[scatter(Atomic)] for b in 0..3 { p[n] += q[a]; } }", &["A0115"]);
+}
+
+#[test]
+fn nothing_leaves_a_parallel_loop() {
+    for escape in ["break", "return", "return x", "f()?", "f().await", "if x { break }", "{ 'b: { return } }"] {
+        body(&format!("for a in p {{ {escape}; }}"), &["A0116"]);
+    }
+    body("'a: while true { for a in p { break 'a; } }", &["A0116"]);
+    body("'a: while true { for a in p { continue 'a; } }", &["A0116"]);
+    body("'a: for a in p { for b in 0..3 { break 'a; } }", &["A0116"]);
+    body("for a in p { loop { return; } }", &["A0116"]);
+    body("for a in p { println!(\"{}\", f()?); }", &["A0116"]);
+}
+
+#[test]
+fn jumps_inside_are_plain() {
+    body("'a: for a in p { for b in 0..3 { continue 'a; } }", &[]);
+    body("for a in p { loop { break; } while x { continue; } let y = 'b: { break 'b 1 }; }", &[]);
+    body("for a in p { let f = || { return 1; }; let g = |x| Some(x?); }", &[]);
+    body("for a in p { for b in unroll!(0..3) { if x { continue; } break; } }", &[]);
+    body("if x { return; } for a in p {} f()?; #[serial] for a in p { break; } while x { break; }", &[]);
+}
+
+#[test]
+fn unroll_takes_literals() {
+    body("for a in p { for b in unroll!(0..n) {} }", &["A0117"]);
+    body("for a in p { for b in unroll!(N) {} }", &["A0118"]);
+    body("for a in p { for b in unroll!(0..3, 0..3) {} }", &["A0117"]);
+    body("for a in p { for (b, mut c) in unroll!(0..3, 0..3) {} }", &["A0117"]);
+    body("for a in p { for b in unroll!(X, 0..3) {} }", &["A0117"]);
+    body("for a in p { for b in unroll!() {} }", &["A0118"]);
+    body("for a in p { let b = unroll!(0..3); }", &["A0118"]);
+    body("for i in ndrange!(n) {}", &["A0118"]);
+    body("for a in p { ndrange!(0..3); }", &["A0118"]);
+    body("for a in p { for (b, c) in unroll!(-1..2, -1..=1) {} }", &[]);
+}
+
+#[test]
+fn the_outermost_loop_is_the_parallel_one() {
+    body("for t in 0..n { for a in p { p[a] += 1.0; } for a in q { p[a] = q[a]; } }", &["A0119"]);
+    body("for t in 0..n { for i in 1..9 { for j in 1..9 { u[(i, j)] = v[(i - 1, j)]; } } }", &["A0119"]);
+    body("let mut t = 0; while t < n { for a in p { p[a] += 1.0; } t += 1; }", &[]);
+    body("for i in 0..n { for j in 0..n { u[(i, j)] = 1.0; } }", &[]);
+    body("for i in 0..n { for j in 0..n { p[j] += 1.0; } }", &[]);
+}

@@ -1,0 +1,68 @@
+//! Values of assignments, aliases, methods, and variables from outside.
+
+use super::body;
+
+#[test]
+fn assignments_have_no_value() {
+    body("for a in q { let old = (p[n] += 1); }", &["A0210"]);
+    body("for a in q { f(p[n] += 1); }", &["A0210"]);
+    body("for a in p { let y = p[a] = x; }", &["A0210"]);
+    body("let y = u[(0, 0)].max_assign(3.0);", &["A0210"]);
+    body("for a in q { if x { p[n] += 1 } else { p[n] += 2 } match x { _ => p[n] += 1 } (p[n] += 1); let f = || p[n] += 1; }", &[]);
+    body("for a in p { (p[a], s) = (x, x); }", &["A0221"]);
+    body("[u[(0, 0)], u[(0, 1)]] = [x, x];", &["A0221"]);
+}
+
+#[test]
+fn members_and_fields_are_no_values() {
+    body("for a in p { let m = p.v; }", &["A0213"]);
+    body("for a in p { let m = &mut p; }", &["A0213"]);
+    body("let m = &u.v;", &["A0213"]);
+    body("let g = u;", &["A0213"]);
+    body("let y = u.v + 1.0;", &["A0213"]);
+    body("for a in p { let y = p.v + x; }", &["A0213"]);
+    body("for a in p { f(p.v, x); g(&q); h.method(q); }", &["A0214", "A0214", "A0214"]);
+    body("for a in p { let y = if x { q } else { q }; }", &["A0214", "A0214"]);
+    body("for a in p { println!(\"{q:?}\"); }", &["A0214"]);
+    body("f(u, &mut *p, &v); let y = v.members().v.to_vec();", &[]);
+}
+
+#[test]
+fn methods_of_fields_and_elements() {
+    for method in ["or(a, x)", "clamped(a)", "wrapped(a)", "append(a, x)", "activate(a)"] {
+        body(&format!("for a in p {{ p.{method}; }}"), &["A0215"]);
+        body(&format!("p.{method}; p.m.{method};"), &["A0215", "A0215"]);
+    }
+    body("for a in q { p[n].fetch_add(1); p[n].swap(1); }", &["A0215", "A0215"]);
+    body("for a in p { p.fill(x); p.members(); }", &["A0216", "A0216"]);
+    body("for a in p { p.m.fill(x); }", &["A0216"]);
+    body("for a in p { p[a] = (p.len() + u.shape()[0]) as f32; p[a].swap(0, 1); }", &[]);
+    body("p.fill(x); p.get(3).y();", &[]);
+    body("for a in p { let y = random::<f32>(seed, a); }", &["A0222"]);
+    body("for a in p { let y = self::random(seed, a) + random(a); let random = |y, z| y; random(1, 2); }", &[]);
+}
+
+#[test]
+fn reductions_are_only_accumulated() {
+    body("for a in p { s += p[a]; s -= x; }", &[]);
+    body("for a in p { s.max_assign(p[a]); } for a in p { s += 1.0; } s = 3.0; let y = s;", &[]);
+    body("for a in p { s += p[a]; if s > x {} }", &["A0217"]);
+    body("for a in p { println!(\"{s}\"); s += p[a]; }", &["A0217"]);
+    body("for a in p { s += p[a]; println!(\"{s:?}\"); }", &["A0217"]);
+    body("for a in p { s += s; }", &["A0217"]);
+    body("for a in p { s += x; s *= x; }", &["A0218"]);
+    body("for a in p { s.min_assign(x); s.max_assign(x); }", &["A0218"]);
+}
+
+#[test]
+fn variables_from_outside_are_not_assigned() {
+    body("for a in p { s = p[a]; }", &["A0219"]);
+    body("for a in p { s /= x; }", &["A0219"]);
+    body("for a in p { *w += x; }", &["A0219"]);
+    body("for a in p { *w = x; }", &["A0219"]);
+    body("let mut t = [0; 3]; for a in p { t[0] = 1; }", &["A0219"]);
+    body("let mut t = [0; 3]; for a in p { t[0] += 1; }", &["A0220"]);
+    body("let mut t = Vec2::ZERO; for a in p { t.x += x; }", &["A0220"]);
+    body("for a in p { let mut t = [0; 3]; t[0] = 1; t[1] += 2; t = [1; 3]; let mut s = 0; s += 1; s = 2; }", &[]);
+    body("#[serial] for a in p { s = p[a]; *w += s; }", &[]);
+}

@@ -1,0 +1,115 @@
+//! Model to tokens: the layout's type.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::Path;
+use syn::ext::IdentExt;
+
+use super::model::{AXES, Axis, AxisList, Group, LONGEST_NAME, Layout, Node, Place, PlaceKind, Placed, Size, Step};
+
+/// The type of a layout that has passed every check.
+pub(super) fn expand(layout: &Layout) -> TokenStream {
+    let steps = layout.branches.iter().flat_map(|branch| &branch.steps);
+    let mut root = None;
+    let mut nodes = Vec::new();
+    let mut inner = TokenStream::new();
+    for step in steps {
+        match step {
+            Step::Node(node) => {
+                // The outermost node takes as many cells as the shape needs; a size given there groups them.
+                root.get_or_insert_with(|| order(node.axes.as_ref()));
+                if node.sizes.is_some() {
+                    nodes.push(node);
+                }
+            }
+            Step::Place(found) => inner = place(found, layout.record.as_ref()),
+            Step::Later(..) | Step::Unknown(_) => {}
+        }
+    }
+    for node in nodes.into_iter().rev() {
+        let order = order(node.axes.as_ref());
+        let [a, b, c, d] = sizes(node);
+        inner = quote!(::allotrope::layout::Dense<#order, #a, #b, #c, #d, #inner>);
+    }
+    if let (Some(record), false) = (&layout.record, layout.names_members()) {
+        // The name stands for nothing here, but must be a type's.
+        root = Some(quote!({ #[allow(dead_code)] fn is_type(_: #record) {} #root }));
+    }
+    quote!(::allotrope::layout::Tree<#root, #inner>)
+}
+
+/// The type that stands for a layout with errors: it carries them and is a layout, so that they are the only errors.
+pub(super) fn fallback(errors: TokenStream) -> TokenStream {
+    quote!(::allotrope::layout::Tree<{ #errors 0x1 }, ::allotrope::layout::PlaceAos>)
+}
+
+/// Axes as a number: a hexadecimal digit each, `i` is 1.
+fn order(list: Option<&AxisList>) -> TokenStream {
+    let axes = list.map_or(&[Axis(0)][..], |list| &list.axes);
+    let digits: String = axes.iter().map(|axis| char::from(b'1' + axis.0 as u8)).collect();
+    let literal: proc_macro2::Literal = format!("0x{digits}").parse().expect("digits are a number");
+    quote!(#literal)
+}
+
+/// Sizes along `i j k l`, 1 where the node has no such axis.
+fn sizes(node: &Node) -> [TokenStream; AXES.len()] {
+    let axes = node.axes.as_ref().map_or(&[][..], |list| &list.axes);
+    std::array::from_fn(|axis| {
+        let size = axes.iter().position(|&named| named == Axis(axis)).and_then(|at| node.sizes.as_ref()?.along(at));
+        match size {
+            Some(Size::Number(_, literal)) => quote!(#literal),
+            Some(Size::Constant(expr)) => quote!({ #expr }),
+            Some(Size::Wrong(..)) | None => quote!(1),
+        }
+    })
+}
+
+fn place(place: &Place, record: Option<&Path>) -> TokenStream {
+    match (&place.kind, record) {
+        (PlaceKind::Groups(groups), Some(record)) => {
+            let mut check = Some(members_check(groups, record));
+            let groups = groups.iter().map(|group| {
+                let members = group.members.iter().map(|member| placed(member, check.take()));
+                quote!((#(#members,)*))
+            });
+            quote!(::allotrope::layout::PlaceGroups<#record, (#(#groups,)*)>)
+        }
+        (PlaceKind::Aos | PlaceKind::Groups(_), _) => quote!(::allotrope::layout::PlaceAos),
+        (PlaceKind::Soa, _) => quote!(::allotrope::layout::PlaceSoa),
+        (PlaceKind::Split, _) => quote!(::allotrope::layout::PlaceSplit),
+    }
+}
+
+/// A member as a type: its name's bytes are two numbers. The first member of all carries the check of them all.
+fn placed(member: &Placed, check: Option<TokenStream>) -> TokenStream {
+    let mut bytes = [0; LONGEST_NAME];
+    let name = member.name.unraw().to_string();
+    bytes[..name.len()].copy_from_slice(name.as_bytes());
+    let (high, low) = bytes.split_at(LONGEST_NAME / 2);
+    let [high, low] = [high, low].map(|half| {
+        let number = half.iter().fold(0u128, |number, &byte| number << 8 | u128::from(byte));
+        let literal: proc_macro2::Literal = format!("{number:#x}").parse().expect("digits are a number");
+        literal
+    });
+    let high = check.map_or_else(|| quote!(#high), |check| quote!({ #check #high }));
+    if member.split {
+        quote!(::allotrope::layout::Taken<#high, #low>)
+    } else {
+        quote!(::allotrope::layout::Named<#high, #low>)
+    }
+}
+
+/// A function that would build the record from the names placed, so that a member unknown or left out is an error at the
+/// user's tokens. It is never called.
+fn members_check(groups: &[Group], record: &Path) -> TokenStream {
+    let names = groups.iter().flat_map(|group| &group.members).map(|member| &member.name);
+    quote! {
+        #[allow(dead_code)]
+        fn every_member_is_placed() {
+            fn any<T>() -> T {
+                ::core::unreachable!()
+            }
+            let _ = #record { #(#names: any()),* };
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! Model to tokens.
+
+use proc_macro2::{Literal, Span, TokenStream};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
+use syn::Type;
+use syn::ext::IdentExt;
+
+use super::model::Record;
+
+/// `impl Record`, and beside it the struct that has one place a member.
+pub(super) fn expand(record: &Record<'_>) -> TokenStream {
+    let name = record.name;
+    let parts = format_ident!("{}Members", name.unraw(), span = name.span());
+    let (names, elements, visibilities): (Vec<_>, Vec<_>, Vec<_>) =
+        record.members.iter().map(|member| (member.name, member.element, member.visibility)).collect();
+    let numbers: Vec<_> = (0..names.len()).map(Literal::usize_unsuffixed).collect();
+    let texts: Vec<_> = names.iter().map(|name| name.unraw().to_string()).collect();
+    // One type parameter and one local a member: a local of the member's own name might be a constant of the user's.
+    let places: Vec<_> = (0..names.len()).map(|n| format_ident!("A{n}")).collect();
+    let locals: Vec<_> = (0..names.len()).map(|n| format_ident!("__{n}", span = Span::mixed_site())).collect();
+    let all = format_ident!("__all", span = Span::mixed_site());
+    // A type that is no element fails its bound, at the member's type, and nothing else: within the implementation the
+    // bounds are taken to hold.
+    let bounds = elements.iter().map(|element| {
+        let (first, last) = ends(element);
+        let library = quote_spanned!(first=> ::allotrope);
+        let element_trait = quote_spanned!(last=> Element);
+        quote!(#element: #library::#element_trait)
+    });
+
+    // Errors in what follows are the struct's: they stand at its name.
+    quote_spanned! {name.span()=>
+        const _: () = {
+            #[doc(hidden)]
+            #[allow(dead_code, unreachable_pub)]
+            #[derive(Clone, Copy, Debug)]
+            pub struct #parts<#(#places),*> {
+                #(#visibilities #names: #places,)*
+            }
+
+            #[automatically_derived]
+            #[allow(trivial_bounds)]
+            impl ::allotrope::Record for #name
+            where
+                #(#bounds,)*
+            {
+                type Elements = (#(#elements,)*);
+                const NAMES: &'static [&'static str] = &[#(#texts),*];
+                type Tags = #parts<#(::allotrope::__private::Tag<Self, #numbers>),*>;
+                const TAGS: Self::Tags = #parts { #(#names: ::allotrope::__private::Tag::NEW),* };
+                type Members<'a, L: ::allotrope::Layout<X>, X: ::allotrope::Axes> =
+                    #parts<#(::allotrope::Member<'a, Self, L, X, #numbers>),*>;
+                type MembersMut<'a, L: ::allotrope::Layout<X>, X: ::allotrope::Axes> =
+                    #parts<#(::allotrope::MemberMut<'a, Self, L, X, #numbers>),*>;
+                #[inline]
+                fn members<'a, L: ::allotrope::Layout<X>, X: ::allotrope::Axes>(
+                    #all: ::allotrope::__private::MemberRefs<'a, Self, L, X>,
+                ) -> Self::Members<'a, L, X> {
+                    let (#(#locals,)*) = #all;
+                    #parts { #(#names: #locals),* }
+                }
+                #[inline]
+                fn members_mut<'a, L: ::allotrope::Layout<X>, X: ::allotrope::Axes>(
+                    #all: ::allotrope::__private::MemberMuts<'a, Self, L, X>,
+                ) -> Self::MembersMut<'a, L, X> {
+                    let (#(#locals,)*) = #all;
+                    #parts { #(#names: #locals),* }
+                }
+                #[inline(always)]
+                fn from_elements((#(#locals,)*): Self::Elements) -> Self {
+                    Self { #(#names: #locals),* }
+                }
+                #[inline(always)]
+                fn into_elements(self) -> Self::Elements {
+                    (#(self.#names,)*)
+                }
+            }
+        };
+    }
+}
+
+/// The spans of a type's first and last tokens, which together are the span of it all.
+fn ends(element: &Type) -> (Span, Span) {
+    let mut tokens = element.to_token_stream().into_iter();
+    let first = tokens.next().map_or_else(Span::call_site, |token| token.span());
+    (first, tokens.last().map_or(first, |token| token.span()))
+}

@@ -1,0 +1,157 @@
+use insta::assert_snapshot;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::{check, expand, model, parse};
+use crate::diagnostics::{Code, Diagnostics};
+
+/// The expansion, formatted.
+fn formatted(tokens: TokenStream) -> String {
+    let file = syn::parse2(super::expand(tokens)).expect("the expansion is items");
+    prettyplease::unparse(&file)
+}
+
+/// The codes that a struct is refused with.
+fn codes(tokens: TokenStream) -> Vec<Code> {
+    let item = parse::parse(tokens).expect("the item parses");
+    let mut errors = Diagnostics::default();
+    check::check(&item, &mut errors);
+    errors.errors().iter().map(|error| error.code()).collect()
+}
+
+#[test]
+fn a_record_has_a_place_for_each_member() {
+    assert_snapshot!(formatted(quote!(pub struct Node { pub v: Vec2, m: f32 })), @r##"
+    const _: () = {
+        #[doc(hidden)]
+        #[allow(dead_code, unreachable_pub)]
+        #[derive(Clone, Copy, Debug)]
+        pub struct NodeMembers<A0, A1> {
+            pub v: A0,
+            m: A1,
+        }
+        #[automatically_derived]
+        #[allow(trivial_bounds)]
+        impl ::allotrope::Record for Node
+        where
+            Vec2: ::allotrope::Element,
+            f32: ::allotrope::Element,
+        {
+            type Elements = (Vec2, f32);
+            const NAMES: &'static [&'static str] = &["v", "m"];
+            type Tags = NodeMembers<
+                ::allotrope::__private::Tag<Self, 0>,
+                ::allotrope::__private::Tag<Self, 1>,
+            >;
+            const TAGS: Self::Tags = NodeMembers {
+                v: ::allotrope::__private::Tag::NEW,
+                m: ::allotrope::__private::Tag::NEW,
+            };
+            type Members<'a, L: ::allotrope::Layout<X>, X: ::allotrope::Axes> = NodeMembers<
+                ::allotrope::Member<'a, Self, L, X, 0>,
+                ::allotrope::Member<'a, Self, L, X, 1>,
+            >;
+            type MembersMut<'a, L: ::allotrope::Layout<X>, X: ::allotrope::Axes> = NodeMembers<
+                ::allotrope::MemberMut<'a, Self, L, X, 0>,
+                ::allotrope::MemberMut<'a, Self, L, X, 1>,
+            >;
+            #[inline]
+            fn members<'a, L: ::allotrope::Layout<X>, X: ::allotrope::Axes>(
+                __all: ::allotrope::__private::MemberRefs<'a, Self, L, X>,
+            ) -> Self::Members<'a, L, X> {
+                let (__0, __1) = __all;
+                NodeMembers { v: __0, m: __1 }
+            }
+            #[inline]
+            fn members_mut<'a, L: ::allotrope::Layout<X>, X: ::allotrope::Axes>(
+                __all: ::allotrope::__private::MemberMuts<'a, Self, L, X>,
+            ) -> Self::MembersMut<'a, L, X> {
+                let (__0, __1) = __all;
+                NodeMembers { v: __0, m: __1 }
+            }
+            #[inline(always)]
+            fn from_elements((__0, __1): Self::Elements) -> Self {
+                Self { v: __0, m: __1 }
+            }
+            #[inline(always)]
+            fn into_elements(self) -> Self::Elements {
+                (self.v, self.m)
+            }
+        }
+    };
+    "##);
+}
+
+#[test]
+fn one_member_makes_a_tuple_still() {
+    let item = parse::parse(quote!(
+        struct Mass {
+            pub(crate) r#type: f32,
+        }
+    ))
+    .expect("the item parses");
+    let text = expand::expand(&model::model(&item)).to_string();
+    assert!(text.contains("type Elements = (f32 ,)"), "{text}");
+    assert!(text.contains(r#"& ["type"]"#), "{text}");
+    assert!(text.contains("pub (crate) r#type : A0"), "{text}");
+}
+
+#[test]
+fn what_is_no_struct_with_named_members_is_refused() {
+    assert_eq!(
+        codes(quote!(
+            enum Phase {
+                Water,
+                Ice,
+            }
+        )),
+        [Code::NotAStruct]
+    );
+    assert_eq!(codes(quote!(union Bits { a: f32, b: u32 })), [Code::NotAStruct]);
+    assert_eq!(
+        codes(quote!(
+            struct Pair(f32, f32);
+        )),
+        [Code::UnnamedMembers]
+    );
+    assert_eq!(
+        codes(quote!(
+            struct Nothing;
+        )),
+        [Code::UnnamedMembers]
+    );
+    assert_eq!(
+        codes(quote!(
+            struct Nothing {}
+        )),
+        [Code::MemberCount]
+    );
+    assert_eq!(
+        codes(quote!(
+            struct Node {
+                v: Vec2,
+            }
+        )),
+        []
+    );
+}
+
+#[test]
+fn all_errors_come_at_once() {
+    assert_eq!(
+        codes(quote!(
+            struct Pair<T>(T, T);
+        )),
+        [Code::UnnamedMembers, Code::GenericRecord]
+    );
+}
+
+#[test]
+fn a_record_has_24_members_at_most() {
+    let members = |count: usize| {
+        let names = (0..count).map(|n| quote::format_ident!("m{n}"));
+        quote!(struct Many { #(#names: f32),* })
+    };
+    assert_eq!(codes(members(check::MOST_MEMBERS)), []);
+    assert_eq!(codes(members(check::MOST_MEMBERS + 1)), [Code::MemberCount]);
+}

@@ -1,0 +1,117 @@
+//! The axes of a field: how many indices an element has.
+
+use crate::element::Sealed;
+
+/// The most axes that a field can have.
+pub(crate) const MAX_AXES: usize = 4;
+
+/// One number an axis; places beyond the rank are unused.
+pub(crate) type PerAxis = [usize; MAX_AXES];
+
+/// The names of the axes, in order.
+pub(crate) const AXIS_NAMES: [&str; MAX_AXES] = ["i", "j", "k", "l"];
+
+/// The axes of a field, its third parameter: [`I`], [`Ij`] or [`Ijk`].
+#[diagnostic::on_unimplemented(message = "`{Self}` names no axes", note = "the axes of a field are `I`, `Ij` or `Ijk`")]
+pub trait Axes: Copy + Send + Sync + Sealed + 'static {
+    /// How many there are.
+    const RANK: usize;
+    /// What a loop variable over them is: `i32`, `IVec2` or `IVec3`.
+    type Index: Copy + Send + Sync + core::fmt::Debug + PartialEq + crate::index::IntoIndex<Self>;
+    /// The same as a tuple: `(i32,)`, `(i32, i32)` or `(i32, i32, i32)`.
+    type Tuple: Copy;
+    /// Extents along them: `[usize; RANK]`.
+    type Extents: Copy + core::fmt::Debug + AsRef<[usize]>;
+    #[doc(hidden)]
+    fn index(at: [i32; MAX_AXES]) -> Self::Index;
+    #[doc(hidden)]
+    fn tuple(at: [i32; MAX_AXES]) -> Self::Tuple;
+    #[doc(hidden)]
+    fn extents(at: PerAxis) -> Self::Extents;
+}
+
+/// Extents that a field can be made from: `[n]`, `[n, m]`, `[n, m, l]`.
+pub trait Shape: Copy + Sealed {
+    /// The axes that so many extents mean.
+    type X: Axes;
+    #[doc(hidden)]
+    fn per_axis(self) -> PerAxis;
+}
+
+macro_rules! axes {
+    ($($name:ident, $rank:literal, $index:ty, $tuple:ty, $doc:literal, |$at:ident| $make:expr, $make_tuple:expr;)*) => {$(
+        #[doc = $doc]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub struct $name;
+        impl Sealed for $name {}
+        impl Axes for $name {
+            const RANK: usize = $rank;
+            type Index = $index;
+            type Tuple = $tuple;
+            type Extents = [usize; $rank];
+            #[inline(always)]
+            fn index($at: [i32; MAX_AXES]) -> $index {
+                $make
+            }
+            #[inline(always)]
+            fn tuple($at: [i32; MAX_AXES]) -> $tuple {
+                $make_tuple
+            }
+            #[inline(always)]
+            fn extents(at: PerAxis) -> [usize; $rank] {
+                core::array::from_fn(|a| at[a])
+            }
+        }
+        // `Sealed` of `[usize; N]` comes with `[T; N]: Element`.
+        impl Shape for [usize; $rank] {
+            type X = $name;
+            fn per_axis(self) -> PerAxis {
+                core::array::from_fn(|a| self.get(a).copied().unwrap_or(1))
+            }
+        }
+    )*};
+}
+axes! {
+    I, 1, i32, (i32,), "One axis, `i`: lists of particles, vectors. The default.", |at| at[0], (at[0],);
+    Ij, 2, glam::IVec2, (i32, i32), "Two axes, `i` and `j`: images, grids.", |at| glam::ivec2(at[0], at[1]), (at[0], at[1]);
+    Ijk, 3, glam::IVec3, (i32, i32, i32), "Three axes, `i`, `j` and `k`: volumes.", |at| glam::ivec3(at[0], at[1], at[2]), (at[0], at[1], at[2]);
+}
+
+/// One value an axis, written out: no loop hides the places from the optimiser.
+#[inline(always)]
+pub(crate) fn per_axis<T>(value: impl Fn(usize) -> T) -> [T; MAX_AXES] {
+    [value(0), value(1), value(2), value(3)]
+}
+
+/// Adds up one term an axis, unrolled: the rank is a constant.
+#[inline(always)]
+pub(crate) fn sum<X: Axes>(term: impl Fn(usize) -> usize) -> usize {
+    let mut sum = term(0);
+    if X::RANK > 1 {
+        sum = sum.wrapping_add(term(1));
+    }
+    if X::RANK > 2 {
+        sum = sum.wrapping_add(term(2));
+    }
+    if X::RANK > 3 {
+        sum = sum.wrapping_add(term(3));
+    }
+    sum
+}
+
+/// Whether a condition holds along every axis, unrolled.
+#[inline(always)]
+pub(crate) fn all<X: Axes>(holds: impl Fn(usize) -> bool) -> bool {
+    // `&`, not `&&`: one branch on the whole.
+    let mut all = holds(0);
+    if X::RANK > 1 {
+        all &= holds(1);
+    }
+    if X::RANK > 2 {
+        all &= holds(2);
+    }
+    if X::RANK > 3 {
+        all &= holds(3);
+    }
+    all
+}

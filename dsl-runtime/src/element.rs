@@ -1,0 +1,242 @@
+//! What one member of a record may be: a fixed list of scalar components, so that a layout can take it apart.
+
+use core::mem::size_of;
+
+mod sealed {
+    pub trait Sealed {}
+}
+pub(crate) use sealed::Sealed;
+
+/// A scalar component: what memory holds in the end.
+///
+/// `f32 f64 i8..i64 u8..u64 bool`. Zero bytes are a valid value of each of them.
+///
+/// # Safety
+/// Implemented here alone: every bit pattern that a field can hold must be a value, and the size must equal the alignment.
+pub unsafe trait Scalar: Copy + Send + Sync + PartialEq + core::fmt::Debug + Sealed + 'static {
+    /// Which one it is, as data.
+    #[doc(hidden)]
+    const KIND: Kind;
+}
+
+/// A scalar type as data.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "named after the types")]
+pub enum Kind {
+    F32,
+    F64,
+    I8,
+    I16,
+    I32,
+    I64,
+    U8,
+    U16,
+    U32,
+    U64,
+    Bool,
+}
+
+/// A type that a member of a record may have: scalars, glam's vectors, matrices and quaternions, and arrays of elements.
+///
+/// An element is a fixed list of [`COMPONENTS`](Element::COMPONENTS) scalars of one type, so that a layout can place
+/// them together or apart. Values move by components or by unaligned loads; no reference into a field is ever made.
+///
+/// ```
+/// use allotrope::Element;
+/// use allotrope::prelude::*;
+/// assert_eq!(<Mat2 as Element>::COMPONENTS, 4);
+/// assert_eq!(<[Vec3; 2] as Element>::COMPONENTS, 6);
+/// ```
+///
+/// # Safety
+/// Implemented here alone. `PACKED` may be true only where `Self` is exactly `COMPONENTS` scalars in order, without padding.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no element: a field cannot hold it",
+    label = "not an element type",
+    note = "elements are f32, f64, i8..i64, u8..u64, bool, glam's vectors, matrices and quaternions (Vec2, DVec3, IVec2, Mat3, Quat, ..), and arrays [T; N] of elements"
+)]
+pub unsafe trait Element: Copy + Send + Sync + Sealed + 'static {
+    /// The type of its components.
+    type Scalar: Scalar;
+    /// How many components it has.
+    const COMPONENTS: usize;
+    /// Whether it lies in memory as its components, one after another.
+    #[doc(hidden)]
+    const PACKED: bool;
+    /// Reads the components `component` bytes apart, the first at `at`.
+    ///
+    /// # Safety
+    /// Every component's bytes must be readable and hold a value of `Scalar`.
+    #[doc(hidden)]
+    unsafe fn gather(at: *const u8, component: usize) -> Self;
+    /// Writes the components `component` bytes apart, the first at `at`.
+    ///
+    /// # Safety
+    /// Every component's bytes must be writable.
+    #[doc(hidden)]
+    unsafe fn scatter(self, at: *mut u8, component: usize);
+}
+
+macro_rules! scalars {
+    ($($scalar:ty, $kind:ident;)*) => {$(
+        impl Sealed for $scalar {}
+        // SAFETY: a primitive of equal size and alignment on the supported targets; fields hold only bytes written from values, or zeros.
+        unsafe impl Scalar for $scalar {
+            const KIND: Kind = Kind::$kind;
+        }
+        // SAFETY: one component, itself.
+        unsafe impl Element for $scalar {
+            type Scalar = $scalar;
+            const COMPONENTS: usize = 1;
+            const PACKED: bool = true;
+            #[inline(always)]
+            unsafe fn gather(at: *const u8, _: usize) -> Self {
+                // SAFETY: the caller promises that the bytes hold a value.
+                unsafe { at.cast::<Self>().read_unaligned() }
+            }
+            #[inline(always)]
+            unsafe fn scatter(self, at: *mut u8, _: usize) {
+                // SAFETY: the caller promises that the bytes are writable.
+                unsafe { at.cast::<Self>().write_unaligned(self) }
+            }
+        }
+    )*};
+}
+scalars! {
+    f32, F32; f64, F64; i8, I8; i16, I16; i32, I32; i64, I64; u8, U8; u16, U16; u32, U32; u64, U64; bool, Bool;
+}
+
+/// Elements that are their components in memory order: one unaligned move when the components lie together.
+macro_rules! packed {
+    ($($element:ty: $scalar:ty, $components:expr;)*) => {$(
+        impl Sealed for $element {}
+        const _: () = assert!(size_of::<$element>() == $components * size_of::<$scalar>());
+        // SAFETY: glam lays these out as `COMPONENTS` scalars (columns for matrices), asserted by size above and by tests.
+        unsafe impl Element for $element {
+            type Scalar = $scalar;
+            const COMPONENTS: usize = $components;
+            const PACKED: bool = true;
+            #[inline(always)]
+            unsafe fn gather(at: *const u8, component: usize) -> Self {
+                if component == size_of::<$scalar>() {
+                    // SAFETY: the components lie together, as in `Self`, and the caller promises that they are readable.
+                    return unsafe { at.cast::<Self>().read_unaligned() };
+                }
+                let mut value = core::mem::MaybeUninit::<Self>::uninit();
+                let to = value.as_mut_ptr().cast::<$scalar>();
+                for c in 0..$components {
+                    // SAFETY: `c` counts the components of `Self`; the caller promises that each one's source is readable.
+                    unsafe { to.add(c).write(at.add(c * component).cast::<$scalar>().read_unaligned()) };
+                }
+                // SAFETY: all components are written, and `Self` is nothing but its components.
+                unsafe { value.assume_init() }
+            }
+            #[inline(always)]
+            unsafe fn scatter(self, at: *mut u8, component: usize) {
+                if component == size_of::<$scalar>() {
+                    // SAFETY: the components lie together, as in `Self`, and the caller promises that they are writable.
+                    return unsafe { at.cast::<Self>().write_unaligned(self) };
+                }
+                let from = (&raw const self).cast::<$scalar>();
+                for c in 0..$components {
+                    // SAFETY: `c` counts the components of `self`; the caller promises that each one's target is writable.
+                    unsafe { at.add(c * component).cast::<$scalar>().write_unaligned(from.add(c).read()) };
+                }
+            }
+        }
+    )*};
+}
+packed! {
+    glam::Vec2: f32, 2; glam::Vec3: f32, 3; glam::Vec4: f32, 4;
+    glam::Mat2: f32, 4; glam::Mat3: f32, 9; glam::Mat4: f32, 16; glam::Quat: f32, 4;
+    glam::DVec2: f64, 2; glam::DVec3: f64, 3; glam::DVec4: f64, 4;
+    glam::DMat2: f64, 4; glam::DMat3: f64, 9; glam::DMat4: f64, 16; glam::DQuat: f64, 4;
+    glam::IVec2: i32, 2; glam::IVec3: i32, 3; glam::IVec4: i32, 4;
+    glam::UVec2: u32, 2; glam::UVec3: u32, 3; glam::UVec4: u32, 4;
+}
+
+impl Sealed for glam::Vec3A {}
+// SAFETY: three components; the padding of `Vec3A` is never stored, so it is not packed.
+unsafe impl Element for glam::Vec3A {
+    type Scalar = f32;
+    const COMPONENTS: usize = 3;
+    const PACKED: bool = false;
+    #[inline(always)]
+    unsafe fn gather(at: *const u8, component: usize) -> Self {
+        // SAFETY: as the caller promises for three components.
+        unsafe { glam::Vec3::gather(at, component) }.into()
+    }
+    #[inline(always)]
+    unsafe fn scatter(self, at: *mut u8, component: usize) {
+        // SAFETY: as the caller promises for three components.
+        unsafe { glam::Vec3::from(self).scatter(at, component) }
+    }
+}
+
+impl<T: Element, const N: usize> Sealed for [T; N] {}
+// SAFETY: `N` elements one after another, each a list of `T::COMPONENTS` scalars.
+unsafe impl<T: Element, const N: usize> Element for [T; N] {
+    type Scalar = T::Scalar;
+    const COMPONENTS: usize = N * T::COMPONENTS;
+    const PACKED: bool = T::PACKED;
+    #[inline(always)]
+    unsafe fn gather(at: *const u8, component: usize) -> Self {
+        core::array::from_fn(
+            // SAFETY: element `n` begins `n * T::COMPONENTS` components in; the caller promises them all.
+            #[inline(always)]
+            |n| unsafe { T::gather(at.add(n * T::COMPONENTS * component), component) },
+        )
+    }
+    #[inline(always)]
+    unsafe fn scatter(self, at: *mut u8, component: usize) {
+        for (n, value) in self.into_iter().enumerate() {
+            // SAFETY: element `n` begins `n * T::COMPONENTS` components in; the caller promises them all.
+            unsafe { value.scatter(at.add(n * T::COMPONENTS * component), component) };
+        }
+    }
+}
+
+/// Reads component `c` of a value.
+#[inline(always)]
+pub(crate) fn component<E: Element>(value: &E, c: usize) -> E::Scalar {
+    assert!(E::PACKED && c < E::COMPONENTS);
+    // SAFETY: a packed element is `COMPONENTS` scalars in order, and `c` is one of them.
+    unsafe { core::ptr::from_ref(value).cast::<E::Scalar>().add(c).read() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn round_trip<E: Element + PartialEq + core::fmt::Debug>(value: E) {
+        for spread in [1, 3] {
+            let component = spread * size_of::<E::Scalar>();
+            let mut bytes = vec![0u8; component * E::COMPONENTS + 1];
+            // SAFETY: the buffer holds all components `component` bytes apart, beginning one byte in.
+            let back = unsafe {
+                value.scatter(bytes.as_mut_ptr().add(1), component);
+                E::gather(bytes.as_ptr().add(1), component)
+            };
+            assert_eq!(back, value);
+        }
+    }
+
+    #[test]
+    fn elements_survive_apart_and_together() {
+        round_trip(3.5f32);
+        round_trip(true);
+        round_trip(glam::vec2(1.0, -2.0));
+        round_trip(glam::Vec3A::new(1.0, 2.0, 3.0));
+        round_trip(glam::Mat3::from_cols_array(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]));
+        round_trip(glam::DQuat::from_xyzw(1.0, 2.0, 3.0, 4.0));
+        round_trip([glam::ivec3(1, 2, 3), glam::ivec3(4, 5, 6)]);
+        round_trip([[1u8, 2], [3, 4]]);
+    }
+
+    #[test]
+    fn components_are_columns_in_order() {
+        let m = glam::Mat2::from_cols(glam::vec2(1.0, 2.0), glam::vec2(3.0, 4.0));
+        assert_eq!([0, 1, 2, 3].map(|c| component(&m, c)), [1.0, 2.0, 3.0, 4.0]);
+    }
+}

@@ -1,0 +1,74 @@
+//! What can be wrong with a field's extents or an index.
+
+use core::fmt;
+
+/// Why a field of a shape cannot be made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ShapeError {
+    /// An axis has more elements than an `i32` counts.
+    Extent {
+        /// Its name.
+        axis: &'static str,
+        /// Its extent.
+        extent: usize,
+    },
+    /// The layout's root does not name an axis, whose extent then is at most what the inner nodes hold.
+    Axis {
+        /// Its name.
+        axis: &'static str,
+        /// Its extent.
+        extent: usize,
+        /// What the inner nodes hold.
+        most: usize,
+    },
+    /// The field's bytes overflow the address space.
+    TooLarge {
+        /// The extents.
+        shape: Vec<usize>,
+    },
+    /// The system refuses the memory.
+    OutOfMemory {
+        /// The extents.
+        shape: Vec<usize>,
+        /// The bytes asked for.
+        bytes: usize,
+    },
+}
+
+impl fmt::Display for ShapeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Extent { axis, extent } => {
+                write!(f, "axis `{axis}` has {extent} elements, more than the {} that an index counts", i32::MAX)
+            }
+            Self::Axis { axis, extent, most } => write!(
+                f,
+                "axis `{axis}` has {extent} elements, but the layout holds {most} along it: name `{axis}` in its outermost node"
+            ),
+            Self::TooLarge { shape } => write!(f, "a field of shape {shape:?} does not fit in the address space"),
+            Self::OutOfMemory { shape, bytes } => {
+                write!(f, "a field of shape {shape:?} needs {bytes} bytes, which the system refuses")
+            }
+        }
+    }
+}
+
+impl std::error::Error for ShapeError {}
+
+/// An index that lies outside of a field.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OutOfRange {
+    /// The index.
+    pub index: Vec<i64>,
+    /// The field's extents.
+    pub shape: Vec<usize>,
+}
+
+impl fmt::Display for OutOfRange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "index {:?} is out of range of shape {:?}", self.index, self.shape)
+    }
+}
+
+impl std::error::Error for OutOfRange {}

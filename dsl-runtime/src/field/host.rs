@@ -1,0 +1,171 @@
+//! Host access to whole records: get, set, iterate, fill, change the layout.
+
+use super::{Field, Handle, OutOfRange};
+use crate::axes::{Axes, MAX_AXES};
+use crate::index::IntoIndex;
+use crate::layout::Layout;
+use crate::record::{Record, Whole};
+
+#[cold]
+#[inline(never)]
+#[track_caller]
+pub(crate) fn out_of_range<R>(error: &OutOfRange) -> ! {
+    panic!("`Field<{}, ..>`: {error}", core::any::type_name::<R>())
+}
+
+impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
+    pub(crate) fn find(&self, index: impl IntoIndex<X>) -> Result<[u32; MAX_AXES], OutOfRange> {
+        self.handle().locate(index).ok_or_else(|| OutOfRange {
+            index: index.coordinates()[..X::RANK].to_vec(),
+            shape: self.shape().as_ref().to_vec(),
+        })
+    }
+
+    /// The record at an index.
+    ///
+    /// # Panics
+    /// Where the index lies outside of the shape.
+    #[track_caller]
+    pub fn get(&self, index: impl IntoIndex<X>) -> R {
+        self.try_get(index).unwrap_or_else(|error| out_of_range::<R>(&error))
+    }
+
+    /// The record at an index.
+    ///
+    /// # Errors
+    /// Where the index lies outside of the shape.
+    pub fn try_get(&self, index: impl IntoIndex<X>) -> Result<R, OutOfRange> {
+        let at = self.find(index)?;
+        // SAFETY: `find` returns indices within the shape; `&self` keeps writers away.
+        Ok(unsafe { self.handle().read::<Whole>(at) })
+    }
+
+    /// Puts a record at an index.
+    ///
+    /// # Panics
+    /// Where the index lies outside of the shape.
+    #[track_caller]
+    pub fn set(&mut self, index: impl IntoIndex<X>, record: R) {
+        self.try_set(index, record).unwrap_or_else(|error| out_of_range::<R>(&error));
+    }
+
+    /// Puts a record at an index.
+    ///
+    /// # Errors
+    /// Where the index lies outside of the shape.
+    pub fn try_set(&mut self, index: impl IntoIndex<X>, record: R) -> Result<(), OutOfRange> {
+        let at = self.find(index)?;
+        // SAFETY: `find` returns indices within the shape; `&mut self` is exclusive.
+        unsafe { self.handle().write::<Whole>(at, record) };
+        Ok(())
+    }
+
+    /// Puts the same record everywhere.
+    pub fn fill(&mut self, record: R) {
+        let handle = self.handle();
+        for at in Places::<X>::new(handle.geometry.shape) {
+            // SAFETY: places lie within the shape; `&mut self` is exclusive.
+            unsafe { handle.write::<Whole>(at, record) };
+        }
+    }
+
+    /// The records in logical row-major order.
+    ///
+    /// ```
+    /// use allotrope::prelude::*;
+    /// let mut u = Field::<i32, Blocked<2>>::new([2, 3]);
+    /// for (n, at) in [[0, 0], [0, 1], [0, 2], [1, 0]].into_iter().enumerate() {
+    ///     u.set(at, n as i32);
+    /// }
+    /// assert_eq!(u.iter().collect::<Vec<_>>(), [0, 1, 2, 3, 0, 0]);
+    /// ```
+    pub fn iter(&self) -> Records<'_, R, L, X> {
+        Records { places: Places::new(self.geometry.shape), handle: self.handle() }
+    }
+
+    /// A copy in another layout.
+    ///
+    /// # Panics
+    /// Where the other layout cannot hold the shape.
+    pub fn relayout<M: Layout<X>>(&self) -> Field<R, M, X> {
+        let extents = self.geometry.shape.map(|n| n as usize);
+        let to = Field::<R, M, X>::with_extents(extents)
+            .unwrap_or_else(|error| panic!("`{}`: {error}", core::any::type_name::<R>()));
+        let (from, handle) = (self.handle(), to.handle());
+        for at in Places::<X>::new(self.geometry.shape) {
+            // SAFETY: both have the same shape and places lie within it; `to` is not shared yet.
+            unsafe { handle.write::<Whole>(at, from.read::<Whole>(at)) };
+        }
+        to
+    }
+}
+
+/// All places within a shape, in logical row-major order.
+#[derive(Clone, Debug)]
+pub(crate) struct Places<X> {
+    shape: [u32; MAX_AXES],
+    next: [u32; MAX_AXES],
+    left: usize,
+    axes: core::marker::PhantomData<X>,
+}
+
+impl<X: Axes> Places<X> {
+    pub(crate) fn new(shape: [u32; MAX_AXES]) -> Self {
+        let left = shape.iter().map(|&n| n as usize).product();
+        Self { shape, next: [0; MAX_AXES], left, axes: core::marker::PhantomData }
+    }
+}
+
+impl<X: Axes> Iterator for Places<X> {
+    type Item = [u32; MAX_AXES];
+    #[inline]
+    fn next(&mut self) -> Option<Self::Item> {
+        self.left = self.left.checked_sub(1)?;
+        let at = self.next;
+        for axis in (0..X::RANK).rev() {
+            self.next[axis] += 1;
+            if self.next[axis] < self.shape[axis] {
+                break;
+            }
+            self.next[axis] = 0;
+        }
+        Some(at)
+    }
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        (self.left, Some(self.left))
+    }
+}
+impl<X: Axes> ExactSizeIterator for Places<X> {}
+
+/// The records of a field in logical row-major order.
+pub struct Records<'a, R, L, X> {
+    places: Places<X>,
+    handle: Handle<'a, R, L, X>,
+}
+
+impl<R, L, X> core::fmt::Debug for Records<'_, R, L, X> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "Records({} left)", self.places.left)
+    }
+}
+
+impl<R: Record, L: Layout<X>, X: Axes> Iterator for Records<'_, R, L, X> {
+    type Item = R;
+    fn next(&mut self) -> Option<R> {
+        let at = self.places.next()?;
+        // SAFETY: places lie within the shape; the iterator borrows the field, which keeps writers away.
+        Some(unsafe { self.handle.read::<Whole>(at) })
+    }
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.places.size_hint()
+    }
+}
+impl<R: Record, L: Layout<X>, X: Axes> ExactSizeIterator for Records<'_, R, L, X> {}
+
+impl<'a, R: Record, L: Layout<X>, X: Axes> IntoIterator for &'a Field<R, L, X> {
+    type Item = R;
+    type IntoIter = Records<'a, R, L, X>;
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}

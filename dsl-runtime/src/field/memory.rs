@@ -1,0 +1,74 @@
+//! A field's bytes: zeroed, aligned to a cache line, freed on drop.
+
+use core::ptr::NonNull;
+use std::alloc::{Layout, alloc_zeroed, dealloc, handle_alloc_error};
+
+/// Every field begins at a cache line.
+const ALIGN: usize = 64;
+
+#[doc(hidden)]
+/// An owned, zeroed stretch of memory.
+#[derive(Debug)]
+pub struct Memory {
+    start: NonNull<u8>,
+    bytes: usize,
+}
+
+// SAFETY: `Memory` owns plain bytes; who may touch them when is settled by the borrow of the field that holds it.
+unsafe impl Send for Memory {}
+// SAFETY: as above; through `&Memory` nothing but the address can be had.
+unsafe impl Sync for Memory {}
+
+impl Memory {
+    /// So many zeroed bytes, or `None` where the system refuses them.
+    pub(crate) fn zeroed(bytes: usize) -> Option<Self> {
+        let layout = Layout::from_size_align(bytes, ALIGN).ok()?;
+        if bytes == 0 {
+            return Some(Self { start: NonNull::without_provenance(core::num::NonZero::new(ALIGN)?), bytes });
+        }
+        // SAFETY: the size is not zero.
+        let start = NonNull::new(unsafe { alloc_zeroed(layout) })?;
+        Some(Self { start, bytes })
+    }
+
+    /// So many zeroed bytes; ends the program where the system refuses them.
+    pub(crate) fn zeroed_or_abort(bytes: usize) -> Self {
+        Self::zeroed(bytes).unwrap_or_else(|| {
+            handle_alloc_error(Layout::from_size_align(bytes.min(isize::MAX as usize - ALIGN), ALIGN).expect("a small alignment"))
+        })
+    }
+
+    /// Where it begins.
+    #[inline(always)]
+    pub(crate) fn start(&self) -> *mut u8 {
+        self.start.as_ptr()
+    }
+
+    /// How many bytes it has.
+    pub(crate) fn bytes(&self) -> usize {
+        self.bytes
+    }
+
+    /// The bytes, initialised as they are from the start.
+    pub(crate) fn as_slice(&self) -> &[u8] {
+        // SAFETY: all bytes were zeroed and are only ever overwritten; `&self` keeps them from being written meanwhile,
+        // since every writer holds the field's `&mut`.
+        unsafe { core::slice::from_raw_parts(self.start.as_ptr(), self.bytes) }
+    }
+
+    /// The bytes, to overwrite.
+    pub(crate) fn as_mut_slice(&mut self) -> &mut [u8] {
+        // SAFETY: as above, and `&mut self` is exclusive.
+        unsafe { core::slice::from_raw_parts_mut(self.start.as_ptr(), self.bytes) }
+    }
+}
+
+impl Drop for Memory {
+    fn drop(&mut self) {
+        if self.bytes > 0 {
+            let layout = Layout::from_size_align(self.bytes, ALIGN).expect("the layout it was allocated with");
+            // SAFETY: allocated in `zeroed` with this very layout.
+            unsafe { dealloc(self.start.as_ptr(), layout) };
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! What an element can be indexed by: any integers, converted with a check.
+
+use crate::axes::{Axes, I, Ij, Ijk, MAX_AXES};
+use crate::element::Sealed;
+
+/// An integer that can index or bound a loop.
+pub trait Integer: Copy + Send + Sync + core::fmt::Debug + Sealed + 'static {
+    /// Its value; what an `i64` cannot hold becomes `i64::MAX`, which no field reaches.
+    #[doc(hidden)]
+    fn wide(self) -> i64;
+    /// The integer of that value, which the caller has taken from values of this type.
+    #[doc(hidden)]
+    fn narrow(value: i64) -> Self;
+}
+
+macro_rules! integers {
+    ($($integer:ty)*) => {$(
+        impl Integer for $integer {
+            #[inline(always)]
+            fn wide(self) -> i64 {
+                #[allow(irrefutable_let_patterns, clippy::unnecessary_fallible_conversions, reason = "one text for all integers")]
+                if let Ok(wide) = i64::try_from(self) { wide } else { i64::MAX }
+            }
+            #[inline(always)]
+            fn narrow(value: i64) -> Self {
+                value as $integer
+            }
+        }
+    )*};
+}
+impl Sealed for usize {}
+impl Sealed for isize {}
+integers!(i8 i16 i32 i64 isize u8 u16 u32 u64 usize);
+
+/// An index into a field over the axes `X`: an integer, a vector of integers, or a tuple or array of integers.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no index of a field over `{X}`",
+    label = "not an index of this field",
+    note = "`I` is indexed by an integer, `Ij` by an IVec2 or two integers, `Ijk` by an IVec3 or three integers; write `x as i32` for a float"
+)]
+pub trait IntoIndex<X: Axes>: Copy + Sealed {
+    /// The coordinates; what no field reaches stays out of reach.
+    #[doc(hidden)]
+    fn coordinates(self) -> [i64; MAX_AXES];
+}
+
+impl<T: Integer> IntoIndex<I> for T {
+    #[inline(always)]
+    fn coordinates(self) -> [i64; MAX_AXES] {
+        [self.wide(), 0, 0, 0]
+    }
+}
+impl<T: Integer> Sealed for (T,) {}
+impl<T: Integer> IntoIndex<I> for (T,) {
+    #[inline(always)]
+    fn coordinates(self) -> [i64; MAX_AXES] {
+        [self.0.wide(), 0, 0, 0]
+    }
+}
+impl<T: Integer, U: Integer> Sealed for (T, U) {}
+impl<T: Integer, U: Integer> IntoIndex<Ij> for (T, U) {
+    #[inline(always)]
+    fn coordinates(self) -> [i64; MAX_AXES] {
+        [self.0.wide(), self.1.wide(), 0, 0]
+    }
+}
+impl<T: Integer, U: Integer, V: Integer> Sealed for (T, U, V) {}
+impl<T: Integer, U: Integer, V: Integer> IntoIndex<Ijk> for (T, U, V) {
+    #[inline(always)]
+    fn coordinates(self) -> [i64; MAX_AXES] {
+        [self.0.wide(), self.1.wide(), self.2.wide(), 0]
+    }
+}
+
+macro_rules! vectors {
+    ($($vector:ty => $axes:ty, $($component:ident)*;)*) => {$(
+        impl IntoIndex<$axes> for $vector {
+            #[inline(always)]
+            fn coordinates(self) -> [i64; MAX_AXES] {
+                let mut at = [0; MAX_AXES];
+                let parts = [$(i64::from(self.$component)),*];
+                at[..parts.len()].copy_from_slice(&parts);
+                at
+            }
+        }
+    )*};
+}
+vectors! {
+    glam::IVec2 => Ij, x y; glam::UVec2 => Ij, x y;
+    glam::IVec3 => Ijk, x y z; glam::UVec3 => Ijk, x y z;
+}
+
+macro_rules! arrays {
+    ($($integer:ty)*) => {$(
+        impl IntoIndex<I> for [$integer; 1] {
+            #[inline(always)]
+            fn coordinates(self) -> [i64; MAX_AXES] {
+                [self[0].wide(), 0, 0, 0]
+            }
+        }
+        impl IntoIndex<Ij> for [$integer; 2] {
+            #[inline(always)]
+            fn coordinates(self) -> [i64; MAX_AXES] {
+                [self[0].wide(), self[1].wide(), 0, 0]
+            }
+        }
+        impl IntoIndex<Ijk> for [$integer; 3] {
+            #[inline(always)]
+            fn coordinates(self) -> [i64; MAX_AXES] {
+                [self[0].wide(), self[1].wide(), self[2].wide(), 0]
+            }
+        }
+    )*};
+}
+arrays!(i32 u32 i64 u64);
+
+// `[usize; N]` is sealed on its own: `usize` is no element.
+impl Sealed for [usize; 1] {}
+impl Sealed for [usize; 2] {}
+impl Sealed for [usize; 3] {}
+arrays!(usize);
+
+/// Whether the coordinates lie within the extents, and they as unsigned numbers.
+#[inline(always)]
+pub(crate) fn within<X: Axes>(at: [i64; MAX_AXES], shape: &[u32; MAX_AXES]) -> Option<[u32; MAX_AXES]> {
+    crate::axes::all::<X>(
+        #[inline(always)]
+        |a| (at[a] as u64) < u64::from(shape[a]),
+    )
+    .then(
+        #[inline(always)]
+        || [at[0] as u32, at[1] as u32, at[2] as u32, at[3] as u32],
+    )
+}

@@ -1,0 +1,216 @@
+//! Parallel loops: a space is cut into blocks, jobs take blocks, and the body runs in the version for the processor.
+
+pub(crate) mod cpu;
+mod pool;
+pub(crate) mod reduction;
+mod run;
+mod space;
+
+use core::marker::PhantomData;
+use core::ops::Range;
+
+pub use reduction::{Partial, Reduction, Strip, reduction};
+pub use run::{Cell, Run};
+pub use space::{Space, interior, over, range};
+
+use crate::scatter::{self, Scattered};
+use crate::schedule::{Inside, Scatter, Schedule};
+use cpu::Cpu;
+
+/// What a launch is told besides its space and body.
+#[doc(hidden)]
+#[derive(Clone, Copy)]
+pub struct Options<'a> {
+    /// The kernel's name.
+    pub kernel: &'static str,
+    /// Whether the box checks of rows hold.
+    pub fits: bool,
+    /// Whether an element takes much work: fewer are then worth a thread.
+    pub heavy: bool,
+    /// The strategy that the loop itself asks for.
+    pub scatter: Option<Scatter>,
+    /// The fields that the loop accumulates into, by slot.
+    pub targets: &'a [&'a dyn Scattered],
+}
+
+impl core::fmt::Debug for Options<'_> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "Options of `{}`", self.kernel)
+    }
+}
+
+/// A part of a space that one job runs through, and where it accumulates.
+#[doc(hidden)]
+#[derive(Debug)]
+pub struct Task<'t, S> {
+    space: &'t S,
+    units: Range<usize>,
+    fits: bool,
+    atomic: bool,
+    roots: &'t [*mut u8],
+    owner: PhantomData<*mut ()>,
+}
+
+impl<S: Space> Task<'_, S> {
+    /// Visits the task's runs in memory order. Whole runs of blocks are written out: for small bodies.
+    #[inline(always)]
+    pub fn rows(&self, body: impl FnMut(Run<'_, S>)) {
+        self.space.visit::<true>(self.units.clone(), self.fits, body);
+    }
+
+    /// Visits the task's runs in memory order, with one copy of the body: for large bodies.
+    #[inline(always)]
+    pub fn runs(&self, body: impl FnMut(Run<'_, S>)) {
+        self.space.visit::<false>(self.units.clone(), self.fits, body);
+    }
+
+    /// Where this job accumulates for the field of a slot.
+    #[inline(always)]
+    pub(crate) fn root(&self, slot: usize) -> *mut u8 {
+        self.roots[slot]
+    }
+
+    #[inline(always)]
+    pub(crate) fn atomic(&self) -> bool {
+        self.atomic
+    }
+}
+
+/// Body versions. In the plain ones `fits` holds and updates are plain, as constants; the careful one asks at run time.
+mod versions {
+    use super::{Space, Task};
+
+    #[inline(always)]
+    fn plain<S: Space, Out, F: Fn(Task<'_, S>) -> Out>(body: &F, task: Task<'_, S>) -> Out {
+        body(Task { fits: true, atomic: false, ..task })
+    }
+
+    pub(super) fn baseline<S: Space, Out, F: Fn(Task<'_, S>) -> Out>(body: &F, task: Task<'_, S>) -> Out {
+        plain(body, task)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+    pub(super) fn avx2<S: Space, Out, F: Fn(Task<'_, S>) -> Out>(body: &F, task: Task<'_, S>) -> Out {
+        plain(body, task)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq,avx512vl,avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+    pub(super) fn avx512<S: Space, Out, F: Fn(Task<'_, S>) -> Out>(body: &F, task: Task<'_, S>) -> Out {
+        plain(body, task)
+    }
+
+    pub(super) fn careful<S: Space, Out, F: Fn(Task<'_, S>) -> Out>(body: &F, task: Task<'_, S>) -> Out {
+        body(task)
+    }
+}
+
+#[inline]
+fn dispatch<const CAREFUL: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
+    cpu: Cpu,
+    body: &F,
+    task: Task<'_, S>,
+) -> Out {
+    if CAREFUL && (!task.fits || task.atomic) {
+        return versions::careful(body, task);
+    }
+    match cpu {
+        // SAFETY: `Cpu::chosen` and `Schedule::run` admit only instruction sets that the processor has.
+        #[cfg(target_arch = "x86_64")]
+        Cpu::Avx512 => unsafe { versions::avx512(body, task) },
+        // SAFETY: as above.
+        #[cfg(target_arch = "x86_64")]
+        Cpu::Avx2 => unsafe { versions::avx2(body, task) },
+        _ => versions::baseline(body, task),
+    }
+}
+
+/// The most blocks that a space is cut into: enough for load balance on many threads.
+const MOST_BLOCKS: usize = 256;
+
+/// Elements that are worth a block of their own.
+fn grain(schedule: &Schedule, heavy: bool) -> usize {
+    match schedule.grain {
+        0 if heavy => 1 << 9,
+        0 => 1 << 14,
+        grain => grain,
+    }
+}
+
+/// Results of blocks, in order.
+pub(crate) type Outs<Out> = Vec<Out>;
+
+/// Runs a loop whose rows may reach outside of their fields, or that accumulates.
+#[doc(hidden)]
+pub fn launch<S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
+    space: &S,
+    options: Options<'_>,
+    body: F,
+) -> Outs<Out> {
+    start::<true, S, Out, F>(space, options, &body)
+}
+
+/// Runs a loop that touches its own elements alone.
+#[doc(hidden)]
+pub fn launch_own<S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
+    space: &S,
+    options: Options<'_>,
+    body: F,
+) -> Outs<Out> {
+    start::<false, S, Out, F>(space, options, &body)
+}
+
+fn start<const CAREFUL: bool, S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
+    space: &S,
+    options: Options<'_>,
+    body: &F,
+) -> Outs<Out> {
+    let (units, elements) = (space.units(), space.elements());
+    if units == 0 || elements == 0 {
+        return Outs::new();
+    }
+    let schedule = Schedule::current();
+    let cpu = schedule.instruction_set();
+    let threads = if Inside::now() { 1 } else { schedule.thread_count() };
+    let grain = grain(&schedule, options.heavy);
+    // Blocks, and with them the order of reductions, follow from the work alone, never from the threads.
+    let blocks = (elements / grain).clamp(1, MOST_BLOCKS).min(units);
+    let plan = scatter::plan(&options, &schedule, threads, elements, blocks);
+    let block = |b: usize| units * b / blocks..units * (b + 1) / blocks;
+
+    let run = |b: usize, roots: &[*mut u8]| {
+        let task = Task { space, units: block(b), fits: options.fits, atomic: plan.atomic, roots, owner: PhantomData };
+        dispatch::<CAREFUL, S, Out, F>(cpu, body, task)
+    };
+    if size_of::<Out>() == 0 {
+        scatter::execute(&plan, options.targets, blocks, &|b, roots| {
+            run(b, roots);
+        });
+        return Outs::new();
+    }
+    let outs = Slots::new(blocks);
+    scatter::execute(&plan, options.targets, blocks, &|b, roots| outs.put(b, run(b, roots)));
+    outs.take()
+}
+
+/// One result a block, put by whichever thread runs it.
+struct Slots<Out>(Vec<std::sync::Mutex<Option<Out>>>);
+
+impl<Out> Slots<Out> {
+    fn new(blocks: usize) -> Self {
+        Self((0..blocks).map(|_| std::sync::Mutex::new(None)).collect())
+    }
+    fn put(&self, b: usize, out: Out) {
+        *self.0[b].lock().unwrap_or_else(std::sync::PoisonError::into_inner) = Some(out);
+    }
+    fn take(self) -> Vec<Out> {
+        let results = self.0.into_iter().map(|slot| slot.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner));
+        results.map(|out| out.expect("every block ran")).collect()
+    }
+}
+
+/// Runs jobs on threads: see [`pool::run`].
+pub(crate) fn run_jobs(threads: usize, jobs: usize, job: &(dyn Fn(usize) + Sync)) {
+    pool::run(threads, jobs, job);
+}

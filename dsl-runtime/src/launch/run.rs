@@ -1,0 +1,117 @@
+//! Runs: neighbouring elements along one axis, and the cells of a run.
+
+use core::marker::PhantomData;
+
+use super::space::Space;
+use crate::axes::{MAX_AXES, PerAxis, per_axis};
+
+/// Elements of a space that follow one another along its run axis.
+///
+/// A run is handed to a loop's body by the launch alone, once, on one thread: whoever holds it owns its elements.
+#[doc(hidden)]
+#[derive(Debug)]
+pub struct Run<'t, S> {
+    /// Coordinates of the run's element 0, which is the first of the run unless `first` is larger.
+    pub(crate) at: [i64; MAX_AXES],
+    /// The elements of the run: `first..first + len`.
+    pub(crate) first: usize,
+    pub(crate) len: usize,
+    /// The block of the loop's field, and the place of element 0 in it.
+    pub(crate) block: PerAxis,
+    pub(crate) inner: PerAxis,
+    /// Whether the run is a whole run of a block, its length a constant.
+    pub(crate) whole: bool,
+    /// Whether the loop's box with all offsets lies within every field that rows are taken from.
+    pub(crate) fits: bool,
+    /// Neither `Send` nor `Sync`: the elements belong to the thread that got the run.
+    pub(crate) owner: PhantomData<(&'t S, *mut ())>,
+}
+
+/// One element of a run: the token without which nothing can be written.
+#[doc(hidden)]
+#[derive(Debug)]
+pub struct Cell<'r, S> {
+    pub(crate) run: &'r Run<'r, S>,
+    pub(crate) k: usize,
+    /// Its number among the run's elements.
+    pub(crate) slot: usize,
+    /// Whether neighbours within the loop's halo lie in the same run of the block.
+    pub(crate) inside: bool,
+}
+
+impl<S: Space> Run<'_, S> {
+    #[inline(always)]
+    pub(crate) fn cell(&self, slot: usize, inside: bool) -> Cell<'_, S> {
+        Cell { run: self, slot, k: self.first + slot, inside }
+    }
+
+    /// Calls `body` for each element. `halo` is how far along each axis rows reach.
+    #[inline(always)]
+    pub fn each<const N: usize>(&self, halo: [u32; N], mut body: impl FnMut(Cell<'_, S>)) {
+        let halo = if S::AXIS < N { halo[S::AXIS] as usize } else { 0 };
+        if S::RUN == 0 {
+            for slot in 0..self.len {
+                body(self.cell(slot, true));
+            }
+        } else if self.whole {
+            // Head, middle and tail: only the ends reach into neighbouring runs, at constant places.
+            let head = halo.min(S::RUN);
+            let tail = S::RUN.saturating_sub(halo).max(head);
+            for slot in 0..head {
+                body(self.cell(slot, false));
+            }
+            for slot in head..tail {
+                body(self.cell(slot, true));
+            }
+            for slot in tail..S::RUN {
+                body(self.cell(slot, false));
+            }
+        } else {
+            for slot in 0..self.len {
+                body(self.cell(slot, halo == 0));
+            }
+        }
+    }
+
+    /// Cuts the run into strips that a reduction's buffer holds.
+    #[inline(always)]
+    pub fn strips(&self, mut body: impl FnMut(Run<'_, S>)) {
+        let strip = |first, len, whole| Run { first, len, whole, owner: PhantomData, ..*self };
+        if S::RUN > 0 && S::RUN <= super::reduction::STRIP {
+            body(strip(self.first, self.len, self.whole));
+        } else {
+            // Full strips have a constant length, so that their buffer becomes registers.
+            let (mut first, end) = (self.first, self.first + self.len);
+            while first + super::reduction::STRIP <= end {
+                body(strip(first, super::reduction::STRIP, false));
+                first += super::reduction::STRIP;
+            }
+            if first < end {
+                body(strip(first, end - first, false));
+            }
+        }
+    }
+}
+
+impl<S: Space> Cell<'_, S> {
+    /// The element's coordinates.
+    #[inline(always)]
+    pub(crate) fn at(&self) -> [i64; MAX_AXES] {
+        per_axis(
+            #[inline(always)]
+            |a| if a == S::AXIS { self.run.at[a].wrapping_add(self.k as i64) } else { self.run.at[a] },
+        )
+    }
+
+    /// The loop's variable.
+    #[inline(always)]
+    pub fn index(&self) -> S::Index {
+        S::index(self.at())
+    }
+
+    /// The loop's variables.
+    #[inline(always)]
+    pub fn tuple(&self) -> S::Tuple {
+        S::tuple(self.at())
+    }
+}

@@ -1,0 +1,460 @@
+//! What a parallel loop runs over: a box of a field, in the order of its memory, or ranges of integers.
+
+use core::marker::PhantomData;
+use core::ops::Range;
+
+use super::run::Run;
+use crate::axes::{Axes, I, Ij, Ijk, MAX_AXES, PerAxis, all, per_axis};
+use crate::element::Sealed;
+use crate::index::Integer;
+use crate::layout::node::{nth_row, order, rows};
+use crate::layout::{Digit, Geometry, Inner, Layout, flat, run_axis};
+use crate::record::Record;
+use crate::view::View;
+
+/// What a parallel loop runs over. The list is closed: each element is visited exactly once.
+#[doc(hidden)]
+pub trait Space: Copy + Send + Sync + Sealed + 'static {
+    /// How many loop variables there are.
+    const RANK: usize;
+    /// What one loop variable for all axes is.
+    type Index: Copy;
+    /// The loop variables as a tuple.
+    type Tuple: Copy;
+    /// The axis along which runs lie.
+    const AXIS: usize;
+    /// The length of whole runs, where it is a constant; else 0.
+    const RUN: usize;
+    /// Cells of a block along each axis; all 1 where there are none.
+    const EXTENT: PerAxis;
+    /// The arrangement of the blocks.
+    const DIGITS: &'static [Digit];
+    /// Elements in all.
+    fn elements(&self) -> usize;
+    /// What is dealt out to threads: blocks, or elements where there are none.
+    fn units(&self) -> usize;
+    /// The box: its first element and the one after its last.
+    fn bounds(&self) -> ([i64; MAX_AXES], [i64; MAX_AXES]);
+    /// Visits the runs of some units in memory order; `LIGHT` writes whole runs out apart from cut ones.
+    fn visit<const LIGHT: bool>(&self, units: Range<usize>, fits: bool, run: impl FnMut(Run<'_, Self>));
+    /// The loop's variable at coordinates.
+    fn index(at: [i64; MAX_AXES]) -> Self::Index;
+    /// The loop's variables at coordinates.
+    fn tuple(at: [i64; MAX_AXES]) -> Self::Tuple;
+
+    /// Whether the whole box, moved by the offsets `low` to `high`, lies within a field.
+    fn fits<const N: usize, R: Record, L: Layout<X>, X: Axes, const WRITE: bool>(
+        &self,
+        field: View<'_, R, L, X, WRITE>,
+        low: [i64; N],
+        high: [i64; N],
+    ) -> bool {
+        let (first, end) = self.bounds();
+        let shape = &field.handle.geometry.shape;
+        let empty = self.elements() == 0;
+        empty || (0..N).all(|a| first[a] + low[a] >= 0 && end[a] + high[a] <= i64::from(shape[a]))
+    }
+}
+
+/// A box of a field, in the order of its memory.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Cells<L, X> {
+    /// The box in elements.
+    first: [u32; MAX_AXES],
+    end: [u32; MAX_AXES],
+    /// The same in the root's cells.
+    first_block: PerAxis,
+    blocks: PerAxis,
+    layout: PhantomData<fn() -> (L, X)>,
+}
+
+impl<L, X> Sealed for Cells<L, X> {}
+
+impl<L: Layout<X>, X: Axes> Cells<L, X> {
+    fn new(geometry: Geometry, border: u32) -> Self {
+        let mut this = Self {
+            first: [0; MAX_AXES],
+            end: [1; MAX_AXES],
+            first_block: [0; MAX_AXES],
+            blocks: [1; MAX_AXES],
+            layout: PhantomData,
+        };
+        for axis in 0..X::RANK {
+            let extent = <Self as Space>::EXTENT[axis] as u32;
+            let size = geometry.shape[axis];
+            let first = border.min(size);
+            let end = size.saturating_sub(border).max(first);
+            (this.first[axis], this.end[axis]) = (first, end);
+            this.first_block[axis] = (first / extent) as usize;
+            this.blocks[axis] = if end > first { end.div_ceil(extent) as usize - this.first_block[axis] } else { 0 };
+        }
+        this
+    }
+
+    /// The axes in the order of memory, those that the root does not name (which have one block) first.
+    const ORDER: ([usize; MAX_AXES], usize) = {
+        let (named, count) = order::<X>(L::ROOT);
+        let (mut axes, mut n, mut axis) = ([0; MAX_AXES], 0, 0);
+        while axis < X::RANK {
+            let (mut is_named, mut m) = (false, 0);
+            while m < count {
+                is_named |= named[m] == axis;
+                m += 1;
+            }
+            if !is_named {
+                axes[n] = axis;
+                n += 1;
+            }
+            axis += 1;
+        }
+        let mut m = 0;
+        while m < count {
+            axes[n + m] = named[m];
+            m += 1;
+        }
+        (axes, n + count)
+    };
+    /// The root's fastest axis.
+    const FASTEST: usize = Self::ORDER.0[Self::ORDER.1 - 1];
+
+    /// Whether block `b` lies in the box along an axis.
+    #[inline(always)]
+    fn whole(&self, axis: usize, b: usize) -> bool {
+        let extent = <Self as Space>::EXTENT[axis] as u32;
+        let start = b as u32 * extent;
+        axis >= X::RANK || (start >= self.first[axis] && start + extent <= self.end[axis])
+    }
+
+    /// Visits the runs of a row of blocks, beginning at `block`, along the root's fastest axis.
+    #[inline(always)]
+    fn blocks<const LIGHT: bool>(&self, block: PerAxis, len: usize, fits: bool, run: &mut impl FnMut(Run<'_, Self>)) {
+        let last = Self::FASTEST;
+        let beside = all::<X>(
+            #[inline(always)]
+            |a| a == last || self.whole(a, block[a]),
+        );
+        let nth = |b: usize| {
+            per_axis(
+                #[inline(always)]
+                |a| if a == last { b } else { block[a] },
+            )
+        };
+        // Whole blocks lie in the middle, cut ones at the ends of the row.
+        let (first, end) = (block[last], block[last] + len);
+        let extent = <Self as Space>::EXTENT[last];
+        let whole = (self.first[last] as usize).div_ceil(extent).clamp(first, end);
+        let cut = if LIGHT && beside { (self.end[last] as usize / extent).clamp(whole, end) } else { whole };
+        let mut b = first;
+        while b < end {
+            if b < whole || b >= cut {
+                self.cut_block(nth(b), fits, run);
+                b += 1;
+            } else {
+                while b < cut {
+                    self.block(nth(b), fits, run);
+                    b += 1;
+                }
+            }
+        }
+    }
+
+    /// Visits the runs of a block that lies in the box, each of constant length.
+    #[inline(always)]
+    fn block(&self, block: PerAxis, fits: bool, run: &mut impl FnMut(Run<'_, Self>)) {
+        rows::<L::Inner, X>(
+            #[inline(always)]
+            |inner| {
+                let (at, len) = (Self::start(block, inner), <Self as Space>::RUN);
+                run(Run { at, first: 0, len, block, inner, whole: true, fits, owner: PhantomData });
+            },
+        );
+    }
+
+    /// Visits the runs of a block as far as they lie in the box.
+    #[inline(always)]
+    fn cut_block(&self, block: PerAxis, fits: bool, run: &mut impl FnMut(Run<'_, Self>)) {
+        let (axis, length) = (<Self as Space>::AXIS, <Self as Space>::RUN as i64);
+        for r in 0..<L::Inner as Inner<X>>::ROWS {
+            let inner = nth_row::<L::Inner, X>(r);
+            let at = Self::start(block, inner);
+            let inside = all::<X>(
+                #[inline(always)]
+                |a| a == axis || (at[a] >= i64::from(self.first[a]) && at[a] < i64::from(self.end[a])),
+            );
+            let first = (i64::from(self.first[axis]) - at[axis]).max(0);
+            let end = (i64::from(self.end[axis]) - at[axis]).min(length);
+            if inside && first < end {
+                let (first, len) = (first as usize, (end - first) as usize);
+                run(Run { at, first, len, block, inner, whole: false, fits, owner: PhantomData });
+            }
+        }
+    }
+
+    /// The coordinates of a cell of a block.
+    #[inline(always)]
+    fn start(block: PerAxis, inner: PerAxis) -> [i64; MAX_AXES] {
+        per_axis(
+            #[inline(always)]
+            |a| if a < X::RANK { (block[a] * <Self as Space>::EXTENT[a] + inner[a]) as i64 } else { 0 },
+        )
+    }
+}
+
+impl<L: Layout<X>, X: Axes> Space for Cells<L, X> {
+    const RANK: usize = X::RANK;
+    type Index = X::Index;
+    type Tuple = X::Tuple;
+    const AXIS: usize = run_axis::<L, X>();
+    const RUN: usize = <L::Inner as Inner<X>>::RUN;
+    const EXTENT: PerAxis = <L::Inner as Inner<X>>::EXTENT;
+    const DIGITS: &'static [Digit] = <L::Inner as Inner<X>>::DIGITS;
+
+    fn elements(&self) -> usize {
+        (0..X::RANK).map(|a| (self.end[a] - self.first[a]) as usize).product()
+    }
+
+    fn units(&self) -> usize {
+        self.blocks[..X::RANK].iter().product()
+    }
+
+    fn bounds(&self) -> ([i64; MAX_AXES], [i64; MAX_AXES]) {
+        (self.first.map(i64::from), self.end.map(i64::from))
+    }
+
+    #[inline(always)]
+    fn visit<const LIGHT: bool>(&self, units: Range<usize>, fits: bool, mut run: impl FnMut(Run<'_, Self>)) {
+        if units.is_empty() {
+            return;
+        }
+        let (axes, count) = const { Self::ORDER };
+        let last = const { Self::FASTEST };
+        let mut block = [0; MAX_AXES];
+        let mut rest = units.start;
+        for &axis in axes[..count].iter().rev() {
+            block[axis] = rest % self.blocks[axis];
+            rest /= self.blocks[axis];
+        }
+        let mut left = units.len();
+        while left > 0 {
+            let len = (self.blocks[last] - block[last]).min(left);
+            let first = per_axis(
+                #[inline(always)]
+                |a| self.first_block[a] + block[a],
+            );
+            if flat::<L, X>() {
+                let (at, inner) = (Self::start(first, [0; MAX_AXES]), [0; MAX_AXES]);
+                run(Run { at, first: 0, len, block: first, inner, whole: false, fits, owner: PhantomData });
+            } else {
+                self.blocks::<LIGHT>(first, len, fits, &mut run);
+            }
+            left -= len;
+            block[last] = 0;
+            for &axis in axes[..count - 1].iter().rev() {
+                block[axis] += 1;
+                if block[axis] < self.blocks[axis] {
+                    break;
+                }
+                block[axis] = 0;
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn index(at: [i64; MAX_AXES]) -> X::Index {
+        X::index([at[0] as i32, at[1] as i32, at[2] as i32, at[3] as i32])
+    }
+
+    #[inline(always)]
+    fn tuple(at: [i64; MAX_AXES]) -> X::Tuple {
+        X::tuple([at[0] as i32, at[1] as i32, at[2] as i32, at[3] as i32])
+    }
+}
+
+/// All elements of a field.
+#[doc(hidden)]
+pub fn over<R: Record, L: Layout<X>, X: Axes, const WRITE: bool>(field: View<'_, R, L, X, WRITE>) -> Cells<L, X> {
+    Cells::new(field.handle.geometry, 0)
+}
+
+/// All elements of a field but a border of `width`.
+#[doc(hidden)]
+pub fn interior<R: Record, L: Layout<X>, X: Axes, const WRITE: bool>(
+    field: View<'_, R, L, X, WRITE>,
+    width: u32,
+) -> Cells<L, X> {
+    Cells::new(field.handle.geometry, width)
+}
+
+/// A box of integers, its last axis fastest.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Ranges<T, X> {
+    first: [i64; MAX_AXES],
+    end: [i64; MAX_AXES],
+    types: PhantomData<fn() -> (T, X)>,
+}
+
+impl<T, X> Sealed for Ranges<T, X> {}
+
+/// A tuple of integers: the loop variables of ranges.
+#[doc(hidden)]
+pub trait Integers: Copy + 'static {
+    /// As many axes.
+    type X: Axes;
+    /// The one loop variable, where there is one; else the tuple.
+    type One: Copy;
+    /// The variables of these values.
+    fn narrow(at: [i64; MAX_AXES]) -> Self;
+    /// The one variable of these values.
+    fn one(at: [i64; MAX_AXES]) -> Self::One;
+}
+
+impl<T: Integer> Integers for (T,) {
+    type X = I;
+    type One = T;
+    #[inline(always)]
+    fn narrow(at: [i64; MAX_AXES]) -> Self {
+        (T::narrow(at[0]),)
+    }
+    #[inline(always)]
+    fn one(at: [i64; MAX_AXES]) -> T {
+        T::narrow(at[0])
+    }
+}
+impl<T: Integer, U: Integer> Integers for (T, U) {
+    type X = Ij;
+    type One = Self;
+    #[inline(always)]
+    fn narrow(at: [i64; MAX_AXES]) -> Self {
+        (T::narrow(at[0]), U::narrow(at[1]))
+    }
+    #[inline(always)]
+    fn one(at: [i64; MAX_AXES]) -> Self {
+        Self::narrow(at)
+    }
+}
+impl<T: Integer, U: Integer, V: Integer> Integers for (T, U, V) {
+    type X = Ijk;
+    type One = Self;
+    #[inline(always)]
+    fn narrow(at: [i64; MAX_AXES]) -> Self {
+        (T::narrow(at[0]), U::narrow(at[1]), V::narrow(at[2]))
+    }
+    #[inline(always)]
+    fn one(at: [i64; MAX_AXES]) -> Self {
+        Self::narrow(at)
+    }
+}
+
+/// A tuple of ranges: the head of a loop without a field.
+#[doc(hidden)]
+pub trait RangeTuple {
+    /// The loop variables.
+    type Integers: Integers;
+    /// The ranges' ends.
+    fn bounds(self) -> ([i64; MAX_AXES], [i64; MAX_AXES]);
+}
+impl<T: Integer> RangeTuple for (Range<T>,) {
+    type Integers = (T,);
+    fn bounds(self) -> ([i64; MAX_AXES], [i64; MAX_AXES]) {
+        ([self.0.start.wide(), 0, 0, 0], [self.0.end.wide(), 1, 1, 1])
+    }
+}
+impl<T: Integer, U: Integer> RangeTuple for (Range<T>, Range<U>) {
+    type Integers = (T, U);
+    fn bounds(self) -> ([i64; MAX_AXES], [i64; MAX_AXES]) {
+        ([self.0.start.wide(), self.1.start.wide(), 0, 0], [self.0.end.wide(), self.1.end.wide(), 1, 1])
+    }
+}
+impl<T: Integer, U: Integer, V: Integer> RangeTuple for (Range<T>, Range<U>, Range<V>) {
+    type Integers = (T, U, V);
+    fn bounds(self) -> ([i64; MAX_AXES], [i64; MAX_AXES]) {
+        (
+            [self.0.start.wide(), self.1.start.wide(), self.2.start.wide(), 0],
+            [self.0.end.wide(), self.1.end.wide(), self.2.end.wide(), 1],
+        )
+    }
+}
+
+/// A box of integers.
+///
+/// # Panics
+/// Where it holds more elements than memory could.
+#[doc(hidden)]
+pub fn range<T: RangeTuple>(ranges: T) -> Ranges<T::Integers, <T::Integers as Integers>::X> {
+    let (first, mut end) = ranges.bounds();
+    let mut elements = 1i64;
+    for axis in 0..MAX_AXES {
+        end[axis] = end[axis].max(first[axis]);
+        let extent = end[axis].checked_sub(first[axis]);
+        elements = extent.and_then(|n| elements.checked_mul(n)).expect("a loop's ranges count at most i64::MAX elements");
+    }
+    Ranges { first, end, types: PhantomData }
+}
+
+impl<T: Integers<X = X>, X: Axes> Space for Ranges<T, X> {
+    const RANK: usize = X::RANK;
+    type Index = T::One;
+    type Tuple = T;
+    const AXIS: usize = X::RANK - 1;
+    const RUN: usize = 0;
+    const EXTENT: PerAxis = [1; MAX_AXES];
+    const DIGITS: &'static [Digit] = &[];
+
+    fn elements(&self) -> usize {
+        (0..X::RANK).map(|a| (self.end[a] - self.first[a]) as usize).product()
+    }
+
+    fn units(&self) -> usize {
+        self.elements()
+    }
+
+    fn bounds(&self) -> ([i64; MAX_AXES], [i64; MAX_AXES]) {
+        (self.first, self.end)
+    }
+
+    #[inline(always)]
+    fn visit<const LIGHT: bool>(&self, units: Range<usize>, fits: bool, mut run: impl FnMut(Run<'_, Self>)) {
+        if units.is_empty() {
+            return;
+        }
+        let extent = |axis: usize| (self.end[axis] - self.first[axis]) as usize;
+        let last = X::RANK - 1;
+        let mut place = [0; MAX_AXES];
+        let mut rest = units.start;
+        for axis in (0..X::RANK).rev() {
+            place[axis] = rest % extent(axis);
+            rest /= extent(axis);
+        }
+        let mut left = units.len();
+        while left > 0 {
+            let len = (extent(last) - place[last]).min(left);
+            let mut at = self.first;
+            for axis in 0..X::RANK {
+                at[axis] += place[axis] as i64;
+            }
+            let (block, inner) = ([0; MAX_AXES], [0; MAX_AXES]);
+            run(Run { at, first: 0, len, block, inner, whole: false, fits, owner: PhantomData });
+            left -= len;
+            place[last] = 0;
+            for axis in (0..last).rev() {
+                place[axis] += 1;
+                if place[axis] < extent(axis) {
+                    break;
+                }
+                place[axis] = 0;
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn index(at: [i64; MAX_AXES]) -> T::One {
+        T::one(at)
+    }
+
+    #[inline(always)]
+    fn tuple(at: [i64; MAX_AXES]) -> T {
+        T::narrow(at)
+    }
+}

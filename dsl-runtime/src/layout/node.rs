@@ -1,0 +1,119 @@
+//! What all structural nodes share: the chain below the root.
+
+use crate::axes::{Axes, MAX_AXES, PerAxis};
+use crate::element::Sealed;
+use crate::layout::Place;
+
+/// One level of one axis: how many cells, and how far apart they are in the node's order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[doc(hidden)]
+pub struct Digit {
+    /// The order of the node's axes.
+    pub order: u32,
+    /// Its sizes.
+    pub sizes: PerAxis,
+}
+
+/// A chain of nodes of constant size below the root, closed by a place.
+#[doc(hidden)]
+pub trait Inner<X: Axes>: Copy + Send + Sync + Sealed + 'static {
+    /// How the innermost node's cells hold records.
+    type Place: Place;
+    /// Cells along each axis.
+    const EXTENT: PerAxis;
+    /// Cells in all.
+    const CELLS: usize;
+    /// Cells of the innermost node; 0 if there is none, so that the root is the innermost.
+    const LEAF: usize;
+    /// Cells of the innermost node along its last axis, one after another in memory; 0 if there is none.
+    const RUN: usize;
+    /// That axis.
+    const RUN_AXIS: usize;
+    /// How many such runs there are.
+    const ROWS: usize;
+    /// The nodes as data, outermost first: equal lists mean equal arrangements.
+    const DIGITS: &'static [Digit];
+    /// Bytes that coordinate `c` along `axis` adds to a cell's address: addresses are sums of one term an axis.
+    fn term(axis: usize, c: usize, leaf_bytes: usize, stride: usize) -> usize;
+}
+
+/// Where run `r` of a block begins, in memory order.
+#[inline(always)]
+pub(crate) const fn nth_row<N: Inner<X>, X: Axes>(r: usize) -> PerAxis {
+    let mut at = [0; MAX_AXES];
+    let (mut rest, mut unit, mut cells) = (r * N::RUN, N::EXTENT, N::CELLS);
+    let mut level = 0;
+    while level < N::DIGITS.len() && N::DIGITS[level].order != 0 {
+        let digit = N::DIGITS[level];
+        let (axes, count) = order::<X>(digit.order);
+        let mut n = 0;
+        while n < count {
+            let size = digit.sizes[axes[n]];
+            cells /= size;
+            unit[axes[n]] /= size;
+            at[axes[n]] += rest / cells * unit[axes[n]];
+            rest %= cells;
+            n += 1;
+        }
+        level += 1;
+    }
+    at
+}
+
+/// Visits the beginnings of a block's runs in memory order. Few are written out, so that their places are constants.
+#[inline(always)]
+pub(crate) fn rows<N: Inner<X>, X: Axes>(mut row: impl FnMut(PerAxis)) {
+    macro_rules! written_out {
+        ($($r:literal)*) => {$(
+            if const { N::ROWS > $r } {
+                row(const { if N::ROWS > $r { nth_row::<N, X>($r) } else { [0; MAX_AXES] } });
+            }
+        )*};
+    }
+    if const { N::ROWS <= 8 } {
+        written_out!(0 1 2 3 4 5 6 7);
+    } else {
+        for r in 0..N::ROWS {
+            row(nth_row::<N, X>(r));
+        }
+    }
+}
+
+/// The axes of a node in memory order, read from `ORDER`: one hexadecimal digit an axis, the first axis highest.
+/// [`ALL`] stands for every axis of the field, [`LAST`] for its last one.
+pub(crate) const fn order<X: Axes>(code: u32) -> ([usize; MAX_AXES], usize) {
+    let mut axes = [0; MAX_AXES];
+    match code {
+        ALL => {
+            let mut a = 0;
+            while a < X::RANK {
+                axes[a] = a;
+                a += 1;
+            }
+            (axes, X::RANK)
+        }
+        LAST => {
+            axes[0] = X::RANK - 1;
+            (axes, 1)
+        }
+        _ => {
+            let (mut rest, mut count) = (code, 0);
+            while rest > 0 {
+                count += 1;
+                rest >>= 4;
+            }
+            let mut n = 0;
+            while n < count {
+                axes[n] = ((code >> (4 * (count - 1 - n))) & 0xf) as usize - 1;
+                assert!(axes[n] < X::RANK, "the layout names an axis that the field does not have");
+                n += 1;
+            }
+            (axes, count)
+        }
+    }
+}
+
+/// Every axis of the field, in order.
+pub const ALL: u32 = 0xffff_ffff;
+/// The last axis of the field.
+pub const LAST: u32 = 0xffff_fffe;

@@ -1,0 +1,345 @@
+//! Operators of accumulation and reduction, component by component.
+
+use core::mem::MaybeUninit;
+
+use crate::element::{Element, Scalar, Sealed};
+
+/// A scalar that can be accumulated. Integers wrap around; NaN never wins a minimum or maximum.
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be accumulated: it has no sum",
+    note = "numbers and vectors and matrices of numbers can; `bool` cannot"
+)]
+pub trait Number: Scalar {
+    /// What adding changes nothing, bit for bit.
+    const ZERO: Self;
+    /// What multiplying changes nothing.
+    const ONE: Self;
+    /// The largest value.
+    const HIGHEST: Self;
+    /// The smallest value.
+    const LOWEST: Self;
+    /// The sum.
+    fn plus(self, other: Self) -> Self;
+    /// The difference.
+    fn minus(self, other: Self) -> Self;
+    /// The product.
+    fn times(self, other: Self) -> Self;
+    /// The smaller.
+    fn least(self, other: Self) -> Self;
+    /// The larger.
+    fn greatest(self, other: Self) -> Self;
+    /// Replaces the value at `at` by `change` of it, in one atomic step.
+    ///
+    /// # Safety
+    /// `at` is valid, aligned, and touched by nothing but atomic operations meanwhile.
+    unsafe fn update(at: *mut Self, change: impl Fn(Self) -> Self);
+}
+
+/// An integer scalar.
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(message = "`{Self}` has no bits to combine: `|=`, `&=` and `^=` are for integers")]
+pub trait Bits: Number {
+    /// All bits set.
+    const ALL: Self;
+    /// The bits set in either.
+    fn either(self, other: Self) -> Self;
+    /// The bits set in both.
+    fn both(self, other: Self) -> Self;
+    /// The bits set in one of both.
+    fn one(self, other: Self) -> Self;
+}
+
+macro_rules! update {
+    ($scalar:ty, $atomic:ident, |$value:ident| $to:expr, |$bits:ident| $from:expr) => {
+        #[inline(always)]
+        unsafe fn update(at: *mut Self, change: impl Fn(Self) -> Self) {
+            use core::sync::atomic::{$atomic, Ordering::Relaxed};
+            // SAFETY: as the caller promises; the scalar and the atomic have the same size.
+            let cell = unsafe { $atomic::from_ptr(at.cast()) };
+            let mut old = cell.load(Relaxed);
+            loop {
+                let $bits = old;
+                let $value: $scalar = change($from);
+                match cell.compare_exchange_weak(old, $to, Relaxed, Relaxed) {
+                    Ok(_) => return,
+                    Err(now) => old = now,
+                }
+            }
+        }
+    };
+}
+
+macro_rules! floats {
+    ($($scalar:ty, $atomic:ident;)*) => {$(
+        impl Number for $scalar {
+            const ZERO: Self = -0.0;
+            const ONE: Self = 1.0;
+            const HIGHEST: Self = <$scalar>::INFINITY;
+            const LOWEST: Self = <$scalar>::NEG_INFINITY;
+            #[inline(always)]
+            fn plus(self, other: Self) -> Self {
+                self + other
+            }
+            #[inline(always)]
+            fn minus(self, other: Self) -> Self {
+                self - other
+            }
+            #[inline(always)]
+            fn times(self, other: Self) -> Self {
+                self * other
+            }
+            #[inline(always)]
+            fn least(self, other: Self) -> Self {
+                <$scalar>::min(self, other)
+            }
+            #[inline(always)]
+            fn greatest(self, other: Self) -> Self {
+                <$scalar>::max(self, other)
+            }
+            update!($scalar, $atomic, |value| value.to_bits(), |bits| <$scalar>::from_bits(bits));
+        }
+    )*};
+}
+floats!(f32, AtomicU32; f64, AtomicU64;);
+
+macro_rules! integers {
+    ($($scalar:ty, $atomic:ident;)*) => {$(
+        impl Number for $scalar {
+            const ZERO: Self = 0;
+            const ONE: Self = 1;
+            const HIGHEST: Self = <$scalar>::MAX;
+            const LOWEST: Self = <$scalar>::MIN;
+            #[inline(always)]
+            fn plus(self, other: Self) -> Self {
+                self.wrapping_add(other)
+            }
+            #[inline(always)]
+            fn minus(self, other: Self) -> Self {
+                self.wrapping_sub(other)
+            }
+            #[inline(always)]
+            fn times(self, other: Self) -> Self {
+                self.wrapping_mul(other)
+            }
+            #[inline(always)]
+            fn least(self, other: Self) -> Self {
+                Ord::min(self, other)
+            }
+            #[inline(always)]
+            fn greatest(self, other: Self) -> Self {
+                Ord::max(self, other)
+            }
+            update!($scalar, $atomic, |value| value, |bits| bits);
+        }
+        impl Bits for $scalar {
+            const ALL: Self = !0;
+            #[inline(always)]
+            fn either(self, other: Self) -> Self {
+                self | other
+            }
+            #[inline(always)]
+            fn both(self, other: Self) -> Self {
+                self & other
+            }
+            #[inline(always)]
+            fn one(self, other: Self) -> Self {
+                self ^ other
+            }
+        }
+    )*};
+}
+integers! {
+    i8, AtomicI8; i16, AtomicI16; i32, AtomicI32; i64, AtomicI64;
+    u8, AtomicU8; u16, AtomicU16; u32, AtomicU32; u64, AtomicU64;
+}
+
+/// An associative and commutative operator on scalars, with its identity.
+#[doc(hidden)]
+pub trait Operator<S>: Copy + Send + Sync + Sealed + 'static {
+    /// What changes nothing.
+    const IDENTITY: S;
+    /// The result.
+    fn apply(a: S, b: S) -> S;
+}
+
+macro_rules! operators {
+    ($($name:ident: $bound:ident, $identity:ident, $apply:ident, $doc:literal;)*) => {$(
+        #[doc = $doc]
+        #[doc(hidden)]
+        #[derive(Clone, Copy, Debug)]
+        pub struct $name;
+        impl Sealed for $name {}
+        impl<S: $bound> Operator<S> for $name {
+            const IDENTITY: S = S::$identity;
+            #[inline(always)]
+            fn apply(a: S, b: S) -> S {
+                a.$apply(b)
+            }
+        }
+    )*};
+}
+operators! {
+    Sum: Number, ZERO, plus, "`+=` and `-=`.";
+    Product: Number, ONE, times, "`*=`.";
+    Min: Number, HIGHEST, least, "`min_assign`.";
+    Max: Number, LOWEST, greatest, "`max_assign`.";
+    BitAnd: Bits, ALL, both, "`&=`.";
+    BitOr: Bits, ZERO, either, "`|=`.";
+    BitXor: Bits, ZERO, one, "`^=`.";
+}
+
+/// The element whose components are the operator's identity.
+#[inline(always)]
+pub(crate) fn identity<O: Operator<E::Scalar>, E: Element>() -> E {
+    splat(O::IDENTITY)
+}
+
+/// The element all of whose components are `scalar`.
+#[inline(always)]
+pub(crate) fn splat<E: Element>(scalar: E::Scalar) -> E {
+    build(
+        #[inline(always)]
+        |_| scalar,
+    )
+}
+
+/// Applies an operator component by component.
+#[inline(always)]
+pub(crate) fn zip<O: Operator<E::Scalar>, E: Element>(a: E, b: E) -> E {
+    combine::<E>(
+        a,
+        b,
+        #[inline(always)]
+        |a, b| O::apply(a, b),
+    )
+}
+
+/// Combines two elements component by component.
+#[inline(always)]
+pub(crate) fn combine<E: Element>(a: E, b: E, f: impl Fn(E::Scalar, E::Scalar) -> E::Scalar) -> E {
+    // Scattered to plain arrays: `Vec3A` and arrays of it are not packed.
+    let (mut left, mut right) = (Components::<E>::new(), Components::<E>::new());
+    // SAFETY: both buffers hold as many scalars as `E` has components.
+    unsafe {
+        a.scatter(left.start(), size_of::<E::Scalar>());
+        b.scatter(right.start(), size_of::<E::Scalar>());
+    }
+    for c in 0..E::COMPONENTS {
+        // SAFETY: `c` counts the components, all of which were written just now.
+        unsafe {
+            let (l, r) = (left.start().cast::<E::Scalar>().add(c), right.start().cast::<E::Scalar>().add(c));
+            l.write_unaligned(f(l.read_unaligned(), r.read_unaligned()));
+        }
+    }
+    // SAFETY: all components are written.
+    unsafe { E::gather(left.start(), size_of::<E::Scalar>()) }
+}
+
+#[inline(always)]
+fn build<E: Element>(f: impl Fn(usize) -> E::Scalar) -> E {
+    let mut buffer = Components::<E>::new();
+    for c in 0..E::COMPONENTS {
+        // SAFETY: `c` counts the components, for which the buffer has room.
+        unsafe { buffer.start().cast::<E::Scalar>().add(c).write_unaligned(f(c)) };
+    }
+    // SAFETY: all components are written.
+    unsafe { E::gather(buffer.start(), size_of::<E::Scalar>()) }
+}
+
+/// Room for the components of one element, together. An element is at least as large as its components.
+struct Components<E>(MaybeUninit<E>);
+
+impl<E: Element> Components<E> {
+    #[inline(always)]
+    fn new() -> Self {
+        const { assert!(size_of::<E>() >= E::COMPONENTS * size_of::<E::Scalar>()) }
+        Self(MaybeUninit::uninit())
+    }
+    #[inline(always)]
+    fn start(&mut self) -> *mut u8 {
+        self.0.as_mut_ptr().cast()
+    }
+}
+
+/// `a *= b` by components: scalars by scalars, vectors by vectors or scalars. Matrix products are none.
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "`*=` of `{Self}` by `{Rhs}` is not component by component",
+    note = "a matrix or quaternion product depends on the order of its factors, so that it cannot be accumulated"
+)]
+pub trait ComponentMul<Rhs>: Element {
+    /// The factor as an element.
+    fn factor(by: Rhs) -> Self;
+}
+macro_rules! component_mul {
+    ($($scalar:ty: $($vector:ty)*;)*) => {$(
+        impl ComponentMul<$scalar> for $scalar {
+            #[inline(always)]
+            fn factor(by: $scalar) -> Self {
+                by
+            }
+        }
+        $(
+            impl ComponentMul<$vector> for $vector {
+                #[inline(always)]
+                fn factor(by: $vector) -> Self {
+                    by
+                }
+            }
+            impl ComponentMul<$scalar> for $vector {
+                #[inline(always)]
+                fn factor(by: $scalar) -> Self {
+                    splat(by)
+                }
+            }
+        )*
+    )*};
+}
+component_mul! {
+    f32: glam::Vec2 glam::Vec3 glam::Vec3A glam::Vec4; f64: glam::DVec2 glam::DVec3 glam::DVec4;
+    i32: glam::IVec2 glam::IVec3 glam::IVec4; u32: glam::UVec2 glam::UVec3 glam::UVec4;
+    i8: ; i16: ; i64: ; u8: ; u16: ; u64: ;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn operators_work_by_components() {
+        assert_eq!(zip::<Sum, _>(glam::vec2(1.0, 2.0), glam::vec2(3.0, 4.0)), glam::vec2(4.0, 6.0));
+        assert_eq!(zip::<Max, _>([1u8, 9], [5, 2]), [5, 9]);
+        assert_eq!(zip::<Min, _>(f32::NAN, 1.0), 1.0);
+        assert_eq!(zip::<Sum, _>(u8::MAX, 1), 0);
+        assert_eq!(zip::<Sum, _>(identity::<Sum, f32>(), 0.0).to_bits(), 0);
+        assert_eq!(zip::<Sum, _>(glam::Vec3A::ONE, glam::Vec3A::ONE), glam::Vec3A::splat(2.0));
+    }
+
+    #[test]
+    fn updates_are_atomic() {
+        let mut cell = 0f32;
+        let at = Address(&raw mut cell);
+        std::thread::scope(|s| {
+            for _ in 0..2 {
+                s.spawn(|| {
+                    for _ in 0..1000 {
+                        // SAFETY: aligned, and only updated atomically until the threads are joined.
+                        unsafe { f32::update(at.get(), |x| x + 1.0) }
+                    }
+                });
+            }
+        });
+        assert_eq!(cell, 2000.0);
+    }
+
+    #[derive(Clone, Copy)]
+    struct Address(*mut f32);
+    impl Address {
+        fn get(&self) -> *mut f32 {
+            self.0
+        }
+    }
+    // SAFETY: the test touches the address atomically alone.
+    unsafe impl Sync for Address {}
+}

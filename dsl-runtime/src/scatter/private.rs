@@ -1,0 +1,40 @@
+//! `Private`: every job but the first accumulates into a copy of its own; the copies are combined in the order of jobs.
+
+use super::{Roots, Scattered};
+use crate::field::memory::Memory;
+use crate::launch::run_jobs;
+
+/// Runs blocks in `jobs` jobs of neighbouring blocks each, then combines. Which blocks a job has, and the order of
+/// combination, depend on the numbers alone: the result is the same for any number of threads.
+pub(super) fn execute(
+    threads: usize,
+    jobs: usize,
+    targets: &[&dyn Scattered],
+    blocks: usize,
+    block: &(dyn Fn(usize, &[*mut u8]) + Sync),
+) {
+    // Copies of a launch that panics are dropped with it: they hold half of a sum.
+    let copies: Vec<Vec<Memory>> = targets.iter().map(|t| (1..jobs).map(|_| t.borrow_copy()).collect()).collect();
+    let roots: Vec<Roots> = (0..jobs)
+        .map(|job| match job {
+            0 => Roots::fields(targets),
+            _ => Roots::from(copies.iter().map(|copies| copies[job - 1].start())),
+        })
+        .collect();
+    run_jobs(threads, jobs, &|job| {
+        for b in blocks * job / jobs..blocks * (job + 1) / jobs {
+            block(b, roots[job].get());
+        }
+    });
+    for (target, copies) in targets.iter().zip(copies) {
+        run_jobs(threads, target.parts(), &|part| {
+            for copy in &copies {
+                // SAFETY: no job accumulates any more; each part of the field and of the copies is taken by one job.
+                unsafe { target.combine(copy, part) };
+            }
+        });
+        for copy in copies {
+            target.give_back(copy);
+        }
+    }
+}

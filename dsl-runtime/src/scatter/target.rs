@@ -1,0 +1,169 @@
+//! A field that a loop accumulates into, without its types.
+
+use std::sync::PoisonError;
+
+use super::combine::{Line, Op, combine_line, set_line};
+use crate::axes::Axes;
+use crate::field::Handle;
+use crate::field::memory::Memory;
+use crate::layout::{Inner, Layout, Map};
+use crate::record::{ElementList, Record};
+use crate::view::View;
+
+/// A field that a loop accumulates into.
+#[doc(hidden)]
+pub trait Scattered: Sync {
+    /// Its own memory.
+    fn root(&self) -> *mut u8;
+    /// The bytes of a copy.
+    fn bytes(&self) -> usize;
+    /// Its elements.
+    fn cells(&self) -> usize;
+    /// Whether every accumulated component lies at a multiple of its size.
+    fn aligned(&self) -> bool;
+    /// A copy full of the operators' identities.
+    fn borrow_copy(&self) -> Memory;
+    /// Takes a copy back that is full of identities again.
+    fn give_back(&self, copy: Memory);
+    /// Into how many parts the field is cut for combination.
+    fn parts(&self) -> usize;
+    /// Combines one part of a copy into the field and fills that part with identities.
+    ///
+    /// # Safety
+    /// The caller has that part of the field and of the copy to itself.
+    unsafe fn combine(&self, copy: &Memory, part: usize);
+}
+
+/// A field, and the members that a loop accumulates into with their operators.
+#[doc(hidden)]
+pub struct Target<'a, 'b, R, L, X> {
+    handle: Handle<'a, R, L, X>,
+    members: &'b [(usize, Op)],
+}
+
+impl<R, L, X> core::fmt::Debug for Target<'_, '_, R, L, X> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "Target({:?})", self.members)
+    }
+}
+
+impl<'a, R: Record, L: Layout<X>, X: Axes> View<'a, R, L, X, true> {
+    /// This field as a target; `members` are those that the loop accumulates into.
+    pub fn target<'b>(self, _slot: usize, members: &'b [(usize, Op)]) -> Target<'a, 'b, R, L, X> {
+        Target { handle: self.handle, members }
+    }
+}
+
+/// Cells of a part.
+const PART: usize = 1 << 13;
+
+impl<R: Record, L: Layout<X>, X: Axes> Target<'_, '_, R, L, X> {
+    /// Leaves of the tree: its innermost nodes, or the whole flat root.
+    fn leaves(&self) -> (usize, usize) {
+        let geometry = &self.handle.geometry;
+        if Map::<R, L, X>::FLAT {
+            (1, geometry.cells)
+        } else {
+            let leaf = <L::Inner as Inner<X>>::LEAF;
+            (geometry.cells * (<L::Inner as Inner<X>>::CELLS / leaf), leaf)
+        }
+    }
+
+    /// The scalars' kind and operator, if they are the same for all of the memory: it is then one line.
+    fn uniform(&self) -> Option<(crate::element::Kind, Op, usize)> {
+        let all = R::Elements::MEMBERS;
+        let (first, op) = (all[0], self.members.first()?.1);
+        let same = self.members.len() == all.len()
+            && all.iter().all(|m| m.kind == first.kind)
+            && self.members.iter().all(|&(_, other)| other == op);
+        same.then_some((first.kind, op, first.scalar))
+    }
+
+    /// The lines of cells that make up a part: offset of the first scalar, distance and number of scalars.
+    fn lines(&self, part: usize, mut line: impl FnMut(Line)) {
+        if let Some((kind, op, scalar)) = self.uniform() {
+            let scalars = self.bytes() / scalar;
+            let first = part * PART;
+            line(Line { kind, op, offset: first * scalar, step: scalar, count: PART.min(scalars - first) });
+            return;
+        }
+        let (leaves, cells) = self.leaves();
+        let geometry = &self.handle.geometry;
+        for &(m, op) in self.members {
+            let member = R::Elements::MEMBERS[m];
+            let (start, step) = (Map::<R, L, X>::start(geometry, m), Map::<R, L, X>::stride(m));
+            let component = Map::<R, L, X>::component(geometry, m);
+            for c in 0..member.components {
+                let mut add = |leaf: usize, first: usize, count: usize| {
+                    let offset = leaf * Map::<R, L, X>::LEAF_BYTES + start + c * component + first * step;
+                    line(Line { kind: member.kind, op, offset, step, count });
+                };
+                if Map::<R, L, X>::FLAT {
+                    let first = part * PART;
+                    add(0, first, PART.min(cells - first));
+                } else {
+                    let leaves_a_part = (PART / cells).max(1);
+                    let first = part * leaves_a_part;
+                    for leaf in first..(first + leaves_a_part).min(leaves) {
+                        add(leaf, 0, cells);
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl<R: Record, L: Layout<X>, X: Axes> Scattered for Target<'_, '_, R, L, X> {
+    fn root(&self) -> *mut u8 {
+        self.handle.root
+    }
+
+    fn bytes(&self) -> usize {
+        Map::<R, L, X>::bytes(&self.handle.geometry).expect("the field has been allocated")
+    }
+
+    fn cells(&self) -> usize {
+        self.handle.geometry.len()
+    }
+
+    fn aligned(&self) -> bool {
+        self.members.iter().all(|&(m, _)| Map::<R, L, X>::STREAMS.aligned(m))
+    }
+
+    fn borrow_copy(&self) -> Memory {
+        let spare = self.handle.spare.lock().unwrap_or_else(PoisonError::into_inner).pop();
+        let copy = spare.unwrap_or_else(|| Memory::zeroed_or_abort(self.bytes()));
+        if self.members.iter().any(|&(_, op)| !op.identity_is_zero()) {
+            for part in 0..self.parts() {
+                // SAFETY: lines lie within the field's bytes, which the copy has too, and the copy is ours alone.
+                self.lines(part, |line| unsafe { set_line(copy.start(), line, true) });
+            }
+        }
+        copy
+    }
+
+    fn give_back(&self, copy: Memory) {
+        if self.members.iter().any(|&(_, op)| !op.identity_is_zero()) {
+            for part in 0..self.parts() {
+                // SAFETY: as in `borrow_copy`.
+                self.lines(part, |line| unsafe { set_line(copy.start(), line, false) });
+            }
+        }
+        self.handle.spare.lock().unwrap_or_else(PoisonError::into_inner).push(copy);
+    }
+
+    fn parts(&self) -> usize {
+        if let Some((_, _, scalar)) = self.uniform() {
+            return (self.bytes() / scalar).div_ceil(PART);
+        }
+        let (leaves, cells) = self.leaves();
+        if Map::<R, L, X>::FLAT { cells.div_ceil(PART) } else { leaves.div_ceil((PART / cells).max(1)) }
+    }
+
+    unsafe fn combine(&self, copy: &Memory, part: usize) {
+        self.lines(part, |line| {
+            // SAFETY: lines lie within the field's bytes, which the copy has too; the caller has this part of both.
+            unsafe { combine_line(self.handle.root, copy.start(), line) };
+        });
+    }
+}

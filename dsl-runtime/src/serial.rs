@@ -1,0 +1,256 @@
+//! Fields outside of parallel loops: the kernel's top level and serial loops. Every access is checked.
+
+use core::ops::Range;
+
+use crate::axes::{Axes, MAX_AXES};
+use crate::element::Element;
+use crate::field::Field;
+use crate::index::{IntoIndex, Integer};
+use crate::layout::{Layout, Map};
+use crate::number::{Number, zip};
+use crate::record::{Path, Record};
+use crate::view::View;
+
+/// Stands for a field's name in the body of a parallel loop, where fields are accessed by index alone.
+#[derive(Clone, Copy, Debug)]
+pub struct NotAnAccess;
+
+/// The names of a field's members.
+#[inline(always)]
+pub fn tags<R: Record, L, X>(_: &Field<R, L, X>) -> R::Tags {
+    R::TAGS
+}
+
+/// A checked index.
+#[derive(Clone, Copy, Debug)]
+pub struct Located([u32; MAX_AXES]);
+
+/// Checks an index.
+///
+/// # Panics
+/// Where it lies outside of the shape.
+#[inline]
+#[track_caller]
+pub fn locate<R: Record, L: Layout<X>, X: Axes>(field: &Field<R, L, X>, index: impl IntoIndex<X>) -> Located {
+    match field.find(index) {
+        Ok(at) => Located(at),
+        Err(error) => panic!("`Field<{}, ..>`: {error}", core::any::type_name::<R>()),
+    }
+}
+
+/// The value of a path at a checked index.
+#[inline]
+#[track_caller]
+pub fn read_at<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(field: &Field<R, L, X>, _: P, at: Located) -> P::Value {
+    let at = recheck(field, at);
+    // SAFETY: within this field's shape; `&Field` keeps writers away.
+    unsafe { field.handle().read::<P>(at) }
+}
+
+/// Puts a value at a checked index.
+#[inline]
+#[track_caller]
+pub fn write_at<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
+    field: &mut Field<R, L, X>,
+    _: P,
+    at: Located,
+    value: P::Value,
+) {
+    let at = recheck(field, at);
+    // SAFETY: within this field's shape; `&mut Field` is exclusive.
+    unsafe { field.handle().write::<P>(at, value) }
+}
+
+/// An index that was checked against one field may be handed to another.
+#[inline(always)]
+#[track_caller]
+fn recheck<R: Record, L: Layout<X>, X: Axes>(field: &Field<R, L, X>, Located(at): Located) -> [u32; MAX_AXES] {
+    let handle = field.handle();
+    let shape = handle.geometry.shape;
+    assert!(crate::axes::all::<X>(|a| at[a] < shape[a]), "an index of another field");
+    at
+}
+
+/// The value of a path at an index.
+///
+/// # Panics
+/// Where it lies outside of the shape.
+#[inline]
+#[track_caller]
+pub fn read<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
+    field: &Field<R, L, X>,
+    path: P,
+    index: impl IntoIndex<X>,
+) -> P::Value {
+    read_at(field, path, locate(field, index))
+}
+
+/// Puts a value at an index.
+///
+/// # Panics
+/// Where it lies outside of the shape.
+#[inline]
+#[track_caller]
+pub fn write<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
+    field: &mut Field<R, L, X>,
+    path: P,
+    index: impl IntoIndex<X>,
+    value: P::Value,
+) {
+    let at = locate(field, index);
+    write_at(field, path, at, value);
+}
+
+/// `min_assign`: the smaller, component by component.
+#[inline(always)]
+pub fn min<E: Element>(a: E, b: E) -> E
+where
+    E::Scalar: Number,
+{
+    zip::<crate::number::Min, E>(a, b)
+}
+
+/// `max_assign`: the larger, component by component.
+#[inline(always)]
+pub fn max<E: Element>(a: E, b: E) -> E
+where
+    E::Scalar: Number,
+{
+    zip::<crate::number::Max, E>(a, b)
+}
+
+/// All coordinates of a box in the order of a field's memory, blocks aside: the last axis of the root fastest.
+fn walk<L: Layout<X>, X: Axes>(shape: [u32; MAX_AXES], border: u32) -> impl Iterator<Item = [i32; MAX_AXES]> {
+    let (named, count) = crate::layout::order::<X>(L::ROOT);
+    let mut axes: Vec<usize> = (0..X::RANK).filter(|a| !named[..count].contains(a)).collect();
+    axes.extend_from_slice(&named[..count]);
+    let first = |a: usize| border.min(shape[a]);
+    let bounds: [(u32, u32); MAX_AXES] =
+        core::array::from_fn(|a| if a < X::RANK { (first(a), shape[a].saturating_sub(border).max(first(a))) } else { (0, 1) });
+    let mut left: usize = bounds[..X::RANK].iter().map(|&(first, end)| (end - first) as usize).product();
+    let mut next = bounds.map(|(first, _)| first);
+    core::iter::from_fn(move || {
+        left = left.checked_sub(1)?;
+        let at = next.map(|c| c as i32);
+        for &axis in axes.iter().rev() {
+            next[axis] += 1;
+            if next[axis] < bounds[axis].1 {
+                break;
+            }
+            next[axis] = bounds[axis].0;
+        }
+        Some(at)
+    })
+}
+
+/// The indices of a field, which need not be borrowed meanwhile.
+pub fn indices<R: Record, L: Layout<X>, X: Axes>(field: &Field<R, L, X>) -> impl Iterator<Item = X::Index> + use<R, L, X> {
+    walk::<L, X>(field.handle().geometry.shape, 0).map(X::index)
+}
+
+/// The indices of a field as tuples.
+pub fn index_tuples<R: Record, L: Layout<X>, X: Axes>(
+    field: &Field<R, L, X>,
+) -> impl Iterator<Item = X::Tuple> + use<R, L, X> {
+    walk::<L, X>(field.handle().geometry.shape, 0).map(X::tuple)
+}
+
+/// The indices of a field but a border.
+pub fn interior_indices<R: Record, L: Layout<X>, X: Axes>(
+    field: &Field<R, L, X>,
+    width: u32,
+) -> impl Iterator<Item = X::Index> + use<R, L, X> {
+    walk::<L, X>(field.handle().geometry.shape, width).map(X::index)
+}
+
+/// The indices of a field but a border, as tuples.
+pub fn interior_tuples<R: Record, L: Layout<X>, X: Axes>(
+    field: &Field<R, L, X>,
+    width: u32,
+) -> impl Iterator<Item = X::Tuple> + use<R, L, X> {
+    walk::<L, X>(field.handle().geometry.shape, width).map(X::tuple)
+}
+
+/// Serial loops inside parallel ones.
+impl<R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'_, R, L, X, WRITE> {
+    /// The indices of the field.
+    pub fn indices(&self) -> impl Iterator<Item = X::Index> + use<R, L, X, WRITE> {
+        walk::<L, X>(self.handle.geometry.shape, 0).map(X::index)
+    }
+
+    /// The indices of the field as tuples.
+    pub fn index_tuples(&self) -> impl Iterator<Item = X::Tuple> + use<R, L, X, WRITE> {
+        walk::<L, X>(self.handle.geometry.shape, 0).map(X::tuple)
+    }
+
+    /// The indices of the field but a border.
+    pub fn interior_indices(&self, width: u32) -> impl Iterator<Item = X::Index> + use<R, L, X, WRITE> {
+        walk::<L, X>(self.handle.geometry.shape, width).map(X::index)
+    }
+
+    /// The indices of the field but a border, as tuples.
+    pub fn interior_tuples(&self, width: u32) -> impl Iterator<Item = X::Tuple> + use<R, L, X, WRITE> {
+        walk::<L, X>(self.handle.geometry.shape, width).map(X::tuple)
+    }
+}
+
+/// Ranges that a serial loop runs over, the last fastest.
+pub trait Ranges {
+    /// A tuple of integers.
+    type Item;
+    /// All of them.
+    fn walk(self) -> impl Iterator<Item = Self::Item>;
+}
+fn span<T: Integer>(range: Range<T>) -> impl Iterator<Item = T> + Clone {
+    (range.start.wide()..range.end.wide()).map(T::narrow)
+}
+impl<T: Integer> Ranges for (Range<T>,) {
+    type Item = (T,);
+    fn walk(self) -> impl Iterator<Item = Self::Item> {
+        span(self.0).map(|i| (i,))
+    }
+}
+impl<T: Integer, U: Integer> Ranges for (Range<T>, Range<U>) {
+    type Item = (T, U);
+    fn walk(self) -> impl Iterator<Item = Self::Item> {
+        let inner = span(self.1);
+        span(self.0).flat_map(move |i| inner.clone().map(move |j| (i, j)))
+    }
+}
+impl<T: Integer, U: Integer, V: Integer> Ranges for (Range<T>, Range<U>, Range<V>) {
+    type Item = (T, U, V);
+    fn walk(self) -> impl Iterator<Item = Self::Item> {
+        let (middle, inner) = (span(self.1), span(self.2));
+        span(self.0).flat_map(move |i| {
+            let inner = inner.clone();
+            middle.clone().flat_map(move |j| inner.clone().map(move |k| (i, j, k)))
+        })
+    }
+}
+
+/// `ndrange!` in a serial loop.
+pub fn ndrange<T: Ranges>(ranges: T) -> impl Iterator<Item = T::Item> {
+    ranges.walk()
+}
+
+/// Tells the optimiser that what follows is rare.
+#[cold]
+#[inline(never)]
+pub fn cold() {}
+
+/// Bytes from a field's start to a component: for tests of layouts.
+///
+/// # Panics
+/// Where the index, member or component does not exist.
+pub fn byte_offset<R: Record, L: Layout<X>, X: Axes>(
+    field: &Field<R, L, X>,
+    index: impl IntoIndex<X>,
+    member: usize,
+    component: usize,
+) -> usize {
+    use crate::record::ElementList;
+    assert!(component < R::Elements::MEMBERS[member].components, "no such component");
+    let Located(at) = locate(field, index);
+    let geometry = field.handle().geometry;
+    Map::<R, L, X>::offset(&geometry, member, at) + component * Map::<R, L, X>::component(&geometry, member)
+}

@@ -1,0 +1,212 @@
+//! `Accumulate`: a path that the loop only accumulates into, at any index.
+
+use core::marker::PhantomData;
+use core::mem::size_of;
+
+use super::{Based, Site};
+use crate::axes::{Axes, MAX_AXES};
+use crate::element::{Element, component};
+use crate::field::Handle;
+use crate::index::IntoIndex;
+use crate::layout::Layout;
+use crate::number::{BitAnd, BitOr, BitXor, Bits, ComponentMul, Max, Min, Number, Operator, Product, Sum};
+use crate::record::{Path, Record};
+
+/// Accumulates into a path of a field at any index. No update is lost: the memory is this job's own, or every component
+/// is updated atomically.
+#[doc(hidden)]
+pub struct Accumulate<'a, R, L, X, P> {
+    handle: Handle<'a, R, L, X>,
+    site: &'static Site,
+    atomic: bool,
+    /// Neither `Send` nor `Sync`: a job's private copy is its alone.
+    path: PhantomData<(P, *mut ())>,
+}
+
+impl<R, L, X, P> core::fmt::Debug for Accumulate<'_, R, L, X, P> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "Accumulate of `{}`", self.site.field)
+    }
+}
+
+macro_rules! operations {
+    ($($name:ident $name_at:ident $operator:ident, $bound:ident, $doc:literal;)*) => {$(
+        #[doc = $doc]
+        ///
+        /// # Panics
+        /// Where the index lies outside of the shape.
+        #[inline(always)]
+        #[track_caller]
+        pub fn $name(&self, index: impl IntoIndex<X>, value: P::Value)
+        where
+            <P::Value as Element>::Scalar: $bound,
+        {
+            self.apply::<$operator>(self.locate(index), value);
+        }
+
+        #[doc = $doc]
+        /// At `base + offset`, checked with the base where the offset lies in the base's box.
+        ///
+        /// # Panics
+        /// Where the sum lies outside of the shape.
+        #[inline(always)]
+        #[track_caller]
+        pub fn $name_at(&self, base: &Based<X>, offset: impl IntoIndex<X>, value: P::Value)
+        where
+            <P::Value as Element>::Scalar: $bound,
+        {
+            self.apply::<$operator>(self.locate_at(base, offset), value);
+        }
+    )*};
+}
+
+impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Accumulate<'a, R, L, X, P>
+where
+    P::Value: Element,
+{
+    #[inline(always)]
+    pub(crate) fn new(handle: Handle<'a, R, L, X>, site: &'static Site, atomic: bool) -> Self {
+        Self { handle, site, atomic, path: PhantomData }
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn locate(&self, index: impl IntoIndex<X>) -> [u32; MAX_AXES] {
+        let Some(at) = self.handle.locate(index) else {
+            self.site.out_of_range(&index.coordinates()[..X::RANK], &self.handle.geometry.shape[..X::RANK])
+        };
+        at
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn locate_at(&self, base: &Based<X>, offset: impl IntoIndex<X>) -> [u32; MAX_AXES] {
+        let Some(at) = base.within(&self.handle.geometry, offset.coordinates()) else {
+            let at = base.plus(offset.coordinates());
+            self.site.out_of_range(&at[..X::RANK], &self.handle.geometry.shape[..X::RANK])
+        };
+        at
+    }
+
+    #[inline(always)]
+    fn apply<O: Operator<<P::Value as Element>::Scalar>>(&self, at: [u32; MAX_AXES], value: P::Value)
+    where
+        <P::Value as Element>::Scalar: Number,
+    {
+        let Some(member) = P::MEMBER else { unreachable!("an element is one member") };
+        let (start, step) = self.handle.component(member, at);
+        if self.atomic {
+            self.apply_atomically::<O>(start, step, value);
+            return;
+        }
+        // SAFETY: `at` lies within the shape, in the field itself on one thread or in this job's private copy; nothing
+        // else touches the path during the launch.
+        unsafe {
+            let old = P::Value::gather(start, step);
+            crate::number::zip::<O, P::Value>(old, value).scatter(start, step);
+        }
+    }
+
+    #[inline(always)]
+    fn apply_atomically<O: Operator<<P::Value as Element>::Scalar>>(
+        &self,
+        start: *mut u8,
+        step: usize,
+        value: P::Value,
+    ) where
+        <P::Value as Element>::Scalar: Number,
+    {
+        assert!(start.addr().is_multiple_of(size_of::<<P::Value as Element>::Scalar>()));
+        for c in 0..P::Value::COMPONENTS {
+            let by = component(&value, c);
+            let to = start.wrapping_add(c * step).cast::<<P::Value as Element>::Scalar>();
+            // SAFETY: a component of an element within the shape, aligned as asserted (components lie a multiple of
+            // their size apart); in an atomic launch every update of the path is atomic.
+            unsafe {
+                Number::update(
+                    to,
+                    #[inline(always)]
+                    |old| O::apply(old, by),
+                );
+            }
+        }
+    }
+
+    operations! {
+        add add_at Sum, Number, "`+=`.";
+        min min_at Min, Number, "`min_assign`.";
+        max max_at Max, Number, "`max_assign`.";
+        or or_at BitOr, Bits, "`|=`.";
+        and and_at BitAnd, Bits, "`&=`.";
+        xor xor_at BitXor, Bits, "`^=`.";
+    }
+
+    /// `-=`.
+    ///
+    /// # Panics
+    /// Where the index lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub fn sub(&self, index: impl IntoIndex<X>, value: P::Value)
+    where
+        <P::Value as Element>::Scalar: Number,
+    {
+        self.apply::<Sum>(self.locate(index), negative(value));
+    }
+
+    /// `-=` at `base + offset`.
+    ///
+    /// # Panics
+    /// Where the sum lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub fn sub_at(&self, base: &Based<X>, offset: impl IntoIndex<X>, value: P::Value)
+    where
+        <P::Value as Element>::Scalar: Number,
+    {
+        self.apply::<Sum>(self.locate_at(base, offset), negative(value));
+    }
+
+    /// `*=`, component by component.
+    ///
+    /// # Panics
+    /// Where the index lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub fn mul<Rhs>(&self, index: impl IntoIndex<X>, by: Rhs)
+    where
+        P::Value: ComponentMul<Rhs>,
+        <P::Value as Element>::Scalar: Number,
+    {
+        self.apply::<Product>(self.locate(index), P::Value::factor(by));
+    }
+
+    /// `*=` at `base + offset`, component by component.
+    ///
+    /// # Panics
+    /// Where the sum lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub fn mul_at<Rhs>(&self, base: &Based<X>, offset: impl IntoIndex<X>, by: Rhs)
+    where
+        P::Value: ComponentMul<Rhs>,
+        <P::Value as Element>::Scalar: Number,
+    {
+        self.apply::<Product>(self.locate_at(base, offset), P::Value::factor(by));
+    }
+}
+
+/// `-value`, exactly: `a - b` and `a + -b` are the same bits.
+#[inline(always)]
+pub(crate) fn negative<E: Element>(value: E) -> E
+where
+    E::Scalar: Number,
+{
+    // `-0.0 - x` is `-x` for floats, and integers wrap.
+    crate::number::combine(
+        crate::number::splat::<E>(<E::Scalar as Number>::ZERO),
+        value,
+        #[inline(always)]
+        |zero, x| zero.minus(x),
+    )
+}

@@ -1,0 +1,175 @@
+//! Views: what a parallel loop may do to a member of a field. A file an access mode.
+
+mod accumulate;
+mod base;
+mod free;
+mod read;
+mod row;
+
+use core::fmt;
+
+pub use accumulate::Accumulate;
+pub(crate) use accumulate::negative;
+pub use base::Based;
+pub use free::{Free, Var};
+pub use read::Read;
+pub use row::{Buffer, Held, Own, Row, buffer};
+
+pub use free::OwnFree;
+
+use crate::axes::{Axes, MAX_AXES};
+use crate::element::Element;
+use crate::field::{Field, Handle};
+use crate::launch::{Run, Space, Task};
+use crate::layout::Layout;
+use crate::record::{Path, Record};
+
+/// What a panic in a kernel names.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Site {
+    /// The kernel.
+    pub kernel: &'static str,
+    /// The field's parameter.
+    pub field: &'static str,
+}
+
+impl Site {
+    #[cold]
+    #[inline(never)]
+    #[track_caller]
+    pub(crate) fn out_of_range(&self, index: &[i64], shape: &[u32]) -> ! {
+        panic!(
+            "kernel `{}`: index {index:?} is out of range of field `{}`, whose shape is {shape:?}",
+            self.kernel, self.field
+        )
+    }
+}
+
+/// A field within a launch. With `WRITE` the launch holds the field's `&mut`.
+///
+/// It is `Copy`, so that every job has its own in its frame: the geometry is then known to be one and the same for all
+/// members. Which members are read, owned or accumulated is what the kernel macro found; each view allows no more.
+#[doc(hidden)]
+pub struct View<'a, R, L, X, const WRITE: bool> {
+    pub(crate) handle: Handle<'a, R, L, X>,
+    pub(crate) site: &'static Site,
+}
+
+impl<R, L, X, const WRITE: bool> Clone for View<'_, R, L, X, WRITE> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<R, L, X, const WRITE: bool> Copy for View<'_, R, L, X, WRITE> {}
+impl<R, L, X, const WRITE: bool> fmt::Debug for View<'_, R, L, X, WRITE> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "View of `{}`", self.site.field)
+    }
+}
+
+/// A field that a loop only reads.
+#[doc(hidden)]
+#[inline(always)]
+pub fn shared<'a, R: Record, L: Layout<X>, X: Axes>(
+    field: &'a Field<R, L, X>,
+    site: &'static Site,
+) -> View<'a, R, L, X, false> {
+    View { handle: field.handle(), site }
+}
+
+/// A field that a loop changes.
+#[doc(hidden)]
+#[inline(always)]
+pub fn exclusive<'a, R: Record, L: Layout<X>, X: Axes>(
+    field: &'a mut Field<R, L, X>,
+    site: &'static Site,
+) -> View<'a, R, L, X, true> {
+    View { handle: field.handle(), site }
+}
+
+impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, WRITE> {
+    /// The names of its members.
+    #[inline(always)]
+    pub fn tags(&self) -> R::Tags {
+        R::TAGS
+    }
+
+    /// Elements in all.
+    #[inline(always)]
+    #[allow(clippy::len_without_is_empty, reason = "as the field's own")]
+    pub fn len(&self) -> usize {
+        self.handle.geometry.len()
+    }
+
+    /// Elements along each axis.
+    #[inline(always)]
+    pub fn shape(&self) -> X::Extents {
+        self.handle.geometry.extents::<X>()
+    }
+
+    /// A view that reads a path at any index.
+    #[inline(always)]
+    pub fn read<P: Path<R>>(self, _: P) -> Read<'a, R, L, X, P> {
+        Read::new(self.handle, self.site)
+    }
+
+    /// A view that reads a path at the run's elements, moved by constant offsets.
+    #[inline(always)]
+    pub fn row<const N: usize, S: Space, P: Path<R>>(
+        self,
+        run: &Run<'_, S>,
+        _: P,
+        offset: [i64; N],
+    ) -> Row<'a, R, L, X, P, S> {
+        let mut by = [0; MAX_AXES];
+        by[..N].copy_from_slice(&offset);
+        Row::new(self.handle, self.site, run, by)
+    }
+
+    /// The field around `base`, if all of `base + low` to `base + high` lies within it.
+    #[inline(always)]
+    pub fn based<const N: usize>(
+        self,
+        base: impl crate::index::IntoIndex<X>,
+        low: [i64; N],
+        high: [i64; N],
+    ) -> Option<Based<X>> {
+        Based::new(&self.handle.geometry, base.coordinates(), low, high)
+    }
+}
+
+impl<'a, R: Record, L: Layout<X>, X: Axes> View<'a, R, L, X, true> {
+    /// A view that reads and writes a path at the run's own elements, at once.
+    #[inline(always)]
+    pub fn own<S: Space, P: Path<R>>(self, run: &Run<'_, S>, _: P) -> Own<'a, R, L, X, P, S> {
+        Own::new(self.handle, self.site, run)
+    }
+
+    /// As [`own`](Self::own); what is written to short runs waits in registers for [`flush`](Held::flush).
+    #[inline(always)]
+    pub fn held<'b, S: Space, P: Path<R>>(
+        self,
+        run: &Run<'_, S>,
+        _: P,
+        buffer: &'b Buffer<P::Value>,
+    ) -> Held<'a, 'b, R, L, X, P, S> {
+        Held::new(self.handle, self.site, run, buffer)
+    }
+
+    /// A view that reads and writes a path where an index contains the loop's variables.
+    #[inline(always)]
+    pub fn own_free<S: Space, P: Path<R>>(self, _: &Task<'_, S>, _: P) -> OwnFree<'a, R, L, X, P> {
+        OwnFree::new(self.handle, self.site)
+    }
+
+    /// A view that accumulates into a path at any index, as the launch's schedule says.
+    #[inline(always)]
+    pub fn accumulate<S: Space, P: Path<R>>(self, task: &Task<'_, S>, slot: usize, _: P) -> Accumulate<'a, R, L, X, P>
+    where
+        P::Value: Element,
+    {
+        Accumulate::new(self.handle.at(task.root(slot)), self.site, task.atomic())
+    }
+}

@@ -1,0 +1,429 @@
+//! `Row` and `Own`: paths at the elements of a run, whose addresses need no index.
+
+use core::cell::UnsafeCell;
+use core::marker::PhantomData;
+use core::mem::MaybeUninit;
+
+use super::Site;
+use crate::axes::{Axes, MAX_AXES, per_axis, sum};
+use crate::field::Handle;
+use crate::index::within;
+use crate::launch::{Cell, Run, Space};
+use crate::layout::{Digit, Inner, Layout, Map, run_axis};
+use crate::record::{ElementList, Path, Record};
+
+/// The longest run whose writes are held back.
+const HELD: usize = 64;
+
+/// How the elements of a run lie in a field.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// At equal distances.
+    Even,
+    /// In the field's own blocks, which are the loop's.
+    Blocks,
+    /// Anyhow: each address is computed from its index.
+    Any,
+}
+
+const fn same(a: &[Digit], b: &[Digit]) -> bool {
+    if a.len() != b.len() {
+        return false;
+    }
+    let mut n = 0;
+    while n < a.len() {
+        let mut axis = 0;
+        while axis < MAX_AXES {
+            if a[n].sizes[axis] != b[n].sizes[axis] {
+                return false;
+            }
+            axis += 1;
+        }
+        // Order 0 marks the end of a list.
+        if a[n].order != b[n].order || (n + 1 == a.len() && a[n].order != 0) {
+            return false;
+        }
+        n += 1;
+    }
+    true
+}
+
+/// Addresses of a path at the elements of a run, moved by a constant offset.
+struct Line<'a, R, L, X, P, S> {
+    handle: Handle<'a, R, L, X>,
+    site: &'static Site,
+    /// Element 0's address (`Even`), or that of its run's line in the block without the run axis' term (`Blocks`).
+    start: *mut u8,
+    offset: [i64; MAX_AXES],
+    /// The run axis' place of element 0 in its block (`Blocks`).
+    place: i64,
+    fits: bool,
+    types: PhantomData<(P, S)>,
+}
+
+impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, X, P, S> {
+    const KIND: Kind = if P::MEMBER.is_none() || S::RANK != X::RANK {
+        Kind::Any
+    } else if Map::<R, L, X>::FLAT {
+        Kind::Even
+    } else if S::RUN > 0 && same(S::DIGITS, <L::Inner as Inner<X>>::DIGITS) {
+        Kind::Blocks
+    } else {
+        Kind::Any
+    };
+    const MEMBER: usize = match P::MEMBER {
+        Some(m) => m,
+        None => 0,
+    };
+
+    #[inline(always)]
+    fn new(handle: Handle<'a, R, L, X>, site: &'static Site, run: &Run<'_, S>, offset: [i64; MAX_AXES]) -> Self {
+        const { assert!(S::RANK == X::RANK, "rows are taken from fields with as many axes as the loop") }
+        let geometry = &handle.geometry;
+        let from = match Self::KIND {
+            Kind::Even => Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_add(sum::<X>(
+                #[inline(always)]
+                |a| {
+                    let at = run.at[a].wrapping_add(offset[a]) as usize;
+                    at.wrapping_mul(geometry.stride[a]).wrapping_mul(Map::<R, L, X>::stride(Self::MEMBER))
+                },
+            )),
+            Kind::Blocks => Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_add(sum::<X>(
+                #[inline(always)]
+                |a| {
+                    if a == S::AXIS {
+                        run.block[a].wrapping_mul(geometry.stride[a]).wrapping_mul(Map::<R, L, X>::BLOCK_BYTES)
+                    } else {
+                        block_term::<R, L, X>(handle, Self::MEMBER, a, run.block[a], run.inner[a] as i64 + offset[a])
+                    }
+                },
+            )),
+            Kind::Any => 0,
+        };
+        let (start, place) = (handle.root.wrapping_add(from), run.inner[S::AXIS] as i64);
+        Self { handle, site, start, offset, place, fits: run.fits, types: PhantomData }
+    }
+
+    /// The address of a cell (`Even` and `Blocks`).
+    #[inline(always)]
+    fn address(&self, cell: &Cell<'_, S>) -> *mut u8 {
+        let geometry = &self.handle.geometry;
+        let stride = Map::<R, L, X>::stride(Self::MEMBER);
+        match Self::KIND {
+            Kind::Even => {
+                // The last axis of the root has stride 1: a constant.
+                let step = if run_axis::<L, X>() == S::AXIS { 1 } else { geometry.stride[S::AXIS] };
+                self.start.wrapping_add(cell.k.wrapping_mul(step.wrapping_mul(stride)))
+            }
+            Kind::Blocks => {
+                let along = self.offset[S::AXIS];
+                let term = if cell.inside {
+                    Map::<R, L, X>::inner(Self::MEMBER, S::AXIS, self.place as usize)
+                        .wrapping_add(((cell.k as i64 + along) as usize).wrapping_mul(stride))
+                } else {
+                    block_term::<R, L, X>(self.handle, Self::MEMBER, S::AXIS, 0, self.place + cell.k as i64 + along)
+                };
+                self.start.wrapping_add(term)
+            }
+            Kind::Any => self.start,
+        }
+    }
+
+    /// The coordinates of a cell, moved by the offset.
+    #[inline(always)]
+    fn coordinates(&self, cell: &Cell<'_, S>) -> [i64; MAX_AXES] {
+        let at = cell.at();
+        per_axis(
+            #[inline(always)]
+            |a| at[a].wrapping_add(self.offset[a]),
+        )
+    }
+
+    /// The coordinates of a cell where they lie within the shape.
+    #[inline(always)]
+    #[track_caller]
+    fn checked(&self, cell: &Cell<'_, S>) -> [u32; MAX_AXES] {
+        let at = self.coordinates(cell);
+        if self.fits {
+            // The launch has compared the loop's box with the shape.
+            return per_axis(
+                #[inline(always)]
+                |a| at[a] as u32,
+            );
+        }
+        let Some(at) = within::<X>(at, &self.handle.geometry.shape) else {
+            self.site.out_of_range(&at[..X::RANK], &self.handle.geometry.shape[..X::RANK])
+        };
+        at
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn get(&self, cell: &Cell<'_, S>) -> P::Value {
+        if Self::KIND == Kind::Any || !self.fits {
+            let at = self.checked(cell);
+            // SAFETY: `checked` returns places within the shape; who else may touch them is the view's promise.
+            return unsafe { self.handle.read::<P>(at) };
+        }
+        let (address, component) = (self.address(cell), Map::<R, L, X>::component(&self.handle.geometry, Self::MEMBER));
+        // SAFETY: the launch found that the loop's box with this offset lies within the shape, so the address is that of
+        // a component of an element; who else may touch it is the view's promise.
+        unsafe {
+            P::gather(
+                #[inline(always)]
+                |_| (address, component),
+            )
+        }
+    }
+
+    /// Writes a path at a cell.
+    ///
+    /// # Safety
+    /// Nobody else touches the path at this cell during the launch.
+    #[inline(always)]
+    #[track_caller]
+    unsafe fn set(&self, cell: &Cell<'_, S>, value: P::Value) {
+        if Self::KIND == Kind::Any || !self.fits {
+            let at = self.checked(cell);
+            // SAFETY: `checked` returns places within the shape; the caller has the element.
+            return unsafe { self.handle.write::<P>(at, value) };
+        }
+        let (address, component) = (self.address(cell), Map::<R, L, X>::component(&self.handle.geometry, Self::MEMBER));
+        // SAFETY: as in `get`; the caller has the element.
+        unsafe {
+            P::scatter(
+                value,
+                #[inline(always)]
+                |_| (address, component),
+            )
+        }
+    }
+}
+
+/// What place `c` within block `block` along an axis adds to an address; places below zero and beyond the extent are
+/// those of neighbouring blocks.
+#[inline(always)]
+fn block_term<R: Record, L: Layout<X>, X: Axes>(
+    handle: Handle<'_, R, L, X>,
+    member: usize,
+    axis: usize,
+    block: usize,
+    c: i64,
+) -> usize {
+    let extent = const { <L::Inner as Inner<X>>::EXTENT }[axis] as i64;
+    let (over, place) = (c.div_euclid(extent), c.rem_euclid(extent));
+    block
+        .wrapping_add(over as usize)
+        .wrapping_mul(handle.geometry.stride[axis])
+        .wrapping_mul(Map::<R, L, X>::BLOCK_BYTES)
+        .wrapping_add(Map::<R, L, X>::inner(member, axis, place as usize))
+}
+
+/// Reads a path at the elements of a run, moved by a constant offset. Nothing in the loop writes it.
+#[doc(hidden)]
+pub struct Row<'a, R, L, X, P, S>(Line<'a, R, L, X, P, S>);
+
+impl<R, L, X, P, S> core::fmt::Debug for Row<'_, R, L, X, P, S> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "Row of `{}`", self.0.site.field)
+    }
+}
+
+impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Row<'a, R, L, X, P, S> {
+    #[inline(always)]
+    pub(super) fn new(
+        handle: Handle<'a, R, L, X>,
+        site: &'static Site,
+        run: &Run<'_, S>,
+        offset: [i64; MAX_AXES],
+    ) -> Self {
+        Self(Line::new(handle, site, run, offset))
+    }
+
+    /// The value at a cell.
+    ///
+    /// # Panics
+    /// Where it lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub fn get(&self, cell: &Cell<'_, S>) -> P::Value {
+        self.0.get(cell)
+    }
+}
+
+/// Reads and writes a path at a run's own elements, which no other iteration touches.
+#[doc(hidden)]
+pub struct Own<'a, R, L, X, P, S>(Line<'a, R, L, X, P, S>);
+
+impl<R, L, X, P, S> core::fmt::Debug for Own<'_, R, L, X, P, S> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "Own of `{}`", self.0.site.field)
+    }
+}
+
+impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Own<'a, R, L, X, P, S> {
+    #[inline(always)]
+    pub(super) fn new(handle: Handle<'a, R, L, X>, site: &'static Site, run: &Run<'_, S>) -> Self {
+        Self(Line::new(handle, site, run, [0; MAX_AXES]))
+    }
+
+    /// The value at a cell.
+    ///
+    /// # Panics
+    /// Where it lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub fn get(&self, cell: &Cell<'_, S>) -> P::Value {
+        self.0.get(cell)
+    }
+
+    /// Puts a value at a cell.
+    ///
+    /// # Panics
+    /// Where it lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub fn set(&self, cell: &Cell<'_, S>, value: P::Value) {
+        // SAFETY: the cell is a run's element, which one thread visits once, and the macro gives a path that is written
+        // no other view.
+        unsafe { self.0.set(cell, value) };
+    }
+}
+
+/// What is written to a short run before it is stored at once: reads of other rows cannot alias it. A local of its own,
+/// so that it becomes registers.
+#[doc(hidden)]
+pub struct Buffer<T>(UnsafeCell<[MaybeUninit<T>; HELD]>);
+
+impl<T> core::fmt::Debug for Buffer<T> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str("Buffer")
+    }
+}
+
+/// A buffer for [`View::held`](super::View::held).
+#[doc(hidden)]
+#[inline(always)]
+pub fn buffer<T: Copy>() -> Buffer<T> {
+    Buffer(UnsafeCell::new([const { MaybeUninit::uninit() }; HELD]))
+}
+
+impl<T: Copy> Buffer<T> {
+    #[inline(always)]
+    fn put(&self, k: usize, value: T) {
+        // SAFETY: `Buffer` is not `Sync`, and no reference to its contents outlives a call.
+        unsafe { (&mut *self.0.get())[k].write(value) };
+    }
+
+    /// # Safety
+    /// Value `k` has been put.
+    #[inline(always)]
+    unsafe fn take(&self, k: usize) -> T {
+        // SAFETY: as in `put`; the caller promises that the value is there.
+        unsafe { (&*self.0.get())[k].assume_init() }
+    }
+}
+
+/// As [`Own`]; what is written to whole runs of blocks waits in a buffer for [`flush`](Held::flush).
+#[doc(hidden)]
+pub struct Held<'a, 'b, R: Record, L, X, P: Path<R>, S> {
+    line: Line<'a, R, L, X, P, S>,
+    buffer: &'b Buffer<P::Value>,
+}
+
+impl<R: Record, L, X, P: Path<R>, S> core::fmt::Debug for Held<'_, '_, R, L, X, P, S> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "Held of `{}`", self.line.site.field)
+    }
+}
+
+impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b, R, L, X, P, S> {
+    /// Whether whole runs are held back.
+    const HOLDS: bool =
+        S::RUN > 0 && S::RUN <= HELD && matches!(Line::<'static, R, L, X, P, S>::KIND, Kind::Blocks);
+    /// Whether a run's values lie one after another, as they do in an array.
+    const DENSE: bool = {
+        let member = Line::<'static, R, L, X, P, S>::MEMBER;
+        let (seat, spec) = (Map::<R, L, X>::STREAMS.seats[member], R::Elements::MEMBERS[member]);
+        Map::<R, L, X>::stride(member) == size_of::<P::Value>()
+            && spec.components * spec.scalar == size_of::<P::Value>()
+            && (!seat.split || spec.components == 1)
+    };
+    /// The bytes of a whole run's values.
+    const BYTES: usize = S::RUN * size_of::<P::Value>();
+
+    #[inline(always)]
+    pub(super) fn new(
+        handle: Handle<'a, R, L, X>,
+        site: &'static Site,
+        run: &Run<'_, S>,
+        buffer: &'b Buffer<P::Value>,
+    ) -> Self {
+        let this = Self { line: Line::new(handle, site, run, [0; MAX_AXES]), buffer };
+        if this.holds(run) {
+            if Self::DENSE {
+                let from = this.line.address(&run.cell(0, true)).cast::<MaybeUninit<u8>>();
+                // SAFETY: the run's values lie one after another, as in the buffer, which has room for `RUN` of them.
+                unsafe { from.copy_to_nonoverlapping(buffer.0.get().cast(), Self::BYTES) };
+            } else {
+                for k in 0..S::RUN {
+                    buffer.put(k, this.line.get(&run.cell(k, true)));
+                }
+            }
+        }
+        this
+    }
+
+    #[inline(always)]
+    fn holds(&self, run: &Run<'_, S>) -> bool {
+        Self::HOLDS && run.whole && self.line.fits
+    }
+
+    /// The value at a cell.
+    ///
+    /// # Panics
+    /// Where it lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub fn get(&self, cell: &Cell<'_, S>) -> P::Value {
+        if self.holds(cell.run) {
+            // SAFETY: `new` has put all values of a whole run.
+            return unsafe { self.buffer.take(cell.slot) };
+        }
+        self.line.get(cell)
+    }
+
+    /// Puts a value at a cell.
+    ///
+    /// # Panics
+    /// Where it lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub fn set(&self, cell: &Cell<'_, S>, value: P::Value) {
+        if self.holds(cell.run) {
+            self.buffer.put(cell.slot, value);
+            return;
+        }
+        // SAFETY: the cell is a run's element, which one thread visits once, and the macro gives a path that is written
+        // no other view.
+        unsafe { self.line.set(cell, value) };
+    }
+
+    /// Stores what was held back.
+    #[inline(always)]
+    pub fn flush(&self, run: &Run<'_, S>) {
+        if !self.holds(run) {
+            return;
+        }
+        if Self::DENSE {
+            let to = self.line.address(&run.cell(0, true)).cast::<MaybeUninit<u8>>();
+            // SAFETY: as in `new`; the run's elements are this thread's own.
+            unsafe { to.copy_from_nonoverlapping(self.buffer.0.get().cast(), Self::BYTES) };
+            return;
+        }
+        for k in 0..S::RUN {
+            // SAFETY: `new` has put all values of a whole run; its elements are this thread's own.
+            unsafe { self.line.set(&run.cell(k, true), self.buffer.take(k)) };
+        }
+    }
+}

@@ -1,0 +1,256 @@
+//! Where layouts put things: addresses against an interpreter of their texts, and values through every way in and out.
+
+mod oracle;
+mod records;
+
+use allotrope::__private::byte_offset;
+use allotrope::prelude::*;
+use allotrope::{Axes, Shape};
+use records::{Body, Node, Sample};
+
+/// All elements of a shape in row-major order.
+fn elements(shape: &[usize]) -> Vec<Vec<usize>> {
+    shape.iter().fold(vec![Vec::new()], |elements, &extent| {
+        elements
+            .into_iter()
+            .flat_map(|element| (0..extent).map(move |n| element.iter().copied().chain([n]).collect()))
+            .collect()
+    })
+}
+
+fn index<X: Axes>(element: &[usize]) -> X::Index {
+    X::index(std::array::from_fn(|axis| element.get(axis).map_or(0, |&n| n as i32)))
+}
+
+/// What a field shows of itself. Only making it depends on the layout's type, which keeps the test quick to compile.
+struct Seen<R: Sample> {
+    shape: Vec<usize>,
+    bytes: usize,
+    /// Of each component of each member of each element.
+    offsets: Vec<usize>,
+    /// The records after `set`, through `get`, `iter`, and the changes of layout there and back.
+    records: [Vec<R>; 4],
+}
+
+fn observe<R: Sample, L: Layout<S::X>, S: Shape>(shape: S) -> Seen<R> {
+    let mut field = Field::<R, L>::new(shape);
+    let elements: Vec<_> = elements(field.shape().as_ref()).iter().map(|element| index::<S::X>(element)).collect();
+    for (n, &element) in elements.iter().enumerate() {
+        field.set(element, R::sample(n));
+    }
+    let mut offsets = Vec::new();
+    for &element in &elements {
+        offsets.extend(R::components().map(|(m, component)| byte_offset(&field, element, m, component)));
+    }
+    let blocks = field.relayout::<Blocked<3>>();
+    let got = elements.iter().map(|&element| field.get(element)).collect();
+    Seen {
+        shape: field.shape().as_ref().to_vec(),
+        bytes: field.bytes(),
+        offsets,
+        records: [got, field.iter().collect(), blocks.iter().collect(), blocks.relayout::<L>().iter().collect()],
+    }
+}
+
+/// One layout, record and shape: addresses as the oracle says, values as they were put, in logical row-major order.
+fn check<R: Sample>(text: &str, seen: &Seen<R>) {
+    let context = format!("{text} over {:?} of {}", seen.shape, std::any::type_name::<R>());
+    let elements = elements(&seen.shape);
+    let map = oracle::map(text, &seen.shape, R::MEMBERS);
+    assert_eq!(seen.bytes, map.bytes, "bytes of {context}");
+    let mut taken = vec![false; seen.bytes];
+    let mut offsets = seen.offsets.iter();
+    for element in &elements {
+        for (m, component) in R::components() {
+            let name = R::MEMBERS[m].name;
+            let offset = *offsets.next().expect("an offset for each component");
+            let expected = map.offsets[&(element.clone(), m, component)];
+            assert_eq!(offset, expected, "{name}[{element:?}].{component} in {context}");
+            for byte in &mut taken[offset..offset + R::MEMBERS[m].bytes] {
+                assert!(!*byte, "{name}[{element:?}].{component} overlaps in {context}");
+                *byte = true;
+            }
+        }
+    }
+    let samples: Vec<R> = (0..elements.len()).map(R::sample).collect();
+    for (records, way) in seen.records.iter().zip(["get", "iter", "relayout to blocks", "relayout from blocks"]) {
+        let wrong = records.iter().zip(&samples).position(|(record, sample)| record != sample);
+        assert_eq!((records.len(), wrong), (samples.len(), None), "{way} in {context}");
+    }
+}
+
+/// Checks each layout over each shape, for one record or for both.
+macro_rules! check {
+    (of $record:ident: $shapes:expr; $(($($layout:tt)*);)*) => {$(
+        for shape in $shapes {
+            check(stringify!($($layout)*), &observe::<$record, layout!($($layout)*), _>(shape));
+        }
+    )*};
+    ($shapes:expr; $(($($layout:tt)*);)*) => {
+        check!(of Node: $shapes; $(($($layout)*);)*);
+        check!(of Body: $shapes; $(($($layout)*);)*);
+    };
+}
+
+#[test]
+fn one_axis() {
+    let shapes = [[1], [37], [64]];
+    check!(shapes;
+        (dense(i).aos);
+        (dense(i).soa);
+        (dense(i).split);
+        (dense(i, 7).aos);
+        (dense(i).dense(i, 5).soa);
+        (dense(i).dense(i, 16).soa);
+        (dense(i).dense(i, 4).split);
+        (dense(i).dense(i, 3).dense(i, 4).soa);
+        (dense(i, 2).dense(i, 3).dense(i, 5).split);
+    );
+}
+
+#[test]
+fn two_axes() {
+    let shapes = [[5, 7], [16, 16], [1, 13]];
+    check!(shapes;
+        (dense(ij).aos);
+        (dense(ji).soa);
+        (dense(ij).split);
+        (dense(ij).dense(ij, 4).aos);
+        (dense(ij).dense(ij, 3).soa);
+        (dense(ji).dense(ij, (4, 2)).split);
+        (dense(ij).dense(ji, (5, 3)).aos);
+        (dense(ij).dense(i, 4).soa);
+        (dense(ij, 6).dense(j, 2).aos);
+        (dense(ij).dense(ij, 2).dense(ji, (3, 2)).soa);
+        (dense(ji).dense(j, 3).dense(i, 2).dense(ij, 2).split);
+    );
+}
+
+#[test]
+fn three_axes() {
+    let shapes = [[3, 4, 5], [7, 2, 6], [8, 8, 8]];
+    check!(shapes;
+        (dense(ijk).aos);
+        (dense(kji).soa);
+        (dense(jki).split);
+        (dense(ijk).dense(ijk, 2).soa);
+        (dense(ijk).dense(ijk, (2, 3, 4)).aos);
+        (dense(kij).dense(kj, (3, 2)).split);
+        (dense(ijk).dense(k, 4).soa);
+        (dense(ijk).dense(ij, 3).dense(k, 5).soa);
+        (dense(ijk, 2).dense(ikj, (3, 1, 2)).aos);
+    );
+}
+
+#[test]
+fn an_axis_below_the_root_alone() {
+    check!([[9, 4], [3, 2]];
+        (dense(i).dense(j, 4).aos);
+        (dense(i).dense(ij, (2, 4)).soa);
+        (dense(i).dense(j, 2).dense(j, 2).split);
+    );
+    check!([[2, 3, 7]];
+        (dense(k).dense(ij, (2, 3)).soa);
+    );
+}
+
+#[test]
+fn groups_of_members() {
+    check!(of Node: [[5, 7], [16, 16]];
+        (Node: dense(ij).place([v, m], [flags]));
+        (Node: dense(ij).place([flags], [m, v]));
+        (Node: dense(ij).dense(ij, 3).place([flags, v], [split(m)]));
+        (Node: dense(ji).dense(ij, 4).place([m, split(v), flags]));
+        (records::Node: dense(ij).dense(j, 5).place([split(flags), split(v), m]));
+    );
+    check!(of Body: [[37], [64]];
+        (Body: dense(i).place([x, id], [fixed, split(frame)], [spins]));
+        (Body: dense(i).dense(i, 6).place([split(spins)], [frame, fixed, id, x]));
+        (Body: dense(i, 2).dense(i, 3).place([id], [x, split(spins), fixed], [split(frame)]));
+    );
+}
+
+#[test]
+fn named_layouts_mean_what_their_pages_say() {
+    macro_rules! check_named {
+        ($shapes:expr; $($text:literal = $layout:ty;)*) => {$(
+            for shape in $shapes {
+                check($text, &observe::<Node, $layout, _>(shape));
+            }
+        )*};
+    }
+    check_named!([[37], [64]];
+        "dense(i).aos" = Aos;
+        "dense(i).dense(i, 16).soa" = AoSoA<16>;
+        "dense(i).dense(i, 5).aos" = Blocked<5>;
+    );
+    check_named!([[5, 7], [16, 16]];
+        "dense(ij).aos" = Aos;
+        "dense(ij).soa" = Soa;
+        "dense(ij).split" = Split;
+        "dense(ij).dense(j, 6).soa" = AoSoA<6>;
+        "dense(ij).dense(ij, 4).aos" = Blocked<4>;
+    );
+    check_named!([[3, 4, 5], [7, 2, 6]];
+        "dense(ijk).split" = Split;
+        "dense(ijk).dense(k, 4).soa" = AoSoA<4>;
+        "dense(ijk).dense(ijk, 3).aos" = Blocked<3>;
+    );
+}
+
+/// Each member alone, in logical row-major order.
+fn check_columns<R: Sample, L: Layout<S::X>, S: Shape>(shape: S) {
+    let mut field = Field::<R, L>::new(shape);
+    let elements = elements(field.shape().as_ref());
+    let samples: Vec<R> = (0..elements.len()).map(R::sample).collect();
+    for (element, &record) in elements.iter().zip(&samples) {
+        field.set(index::<S::X>(element), record);
+    }
+    assert!(R::columns(&field) == R::columns_of(&samples), "{} of {elements:?}", std::any::type_name::<L>());
+}
+
+#[test]
+fn members_come_in_row_major_order() {
+    check_columns::<Node, layout!(dense(i).dense(i, 3).dense(i, 4).soa), _>([37]);
+    check_columns::<Node, layout!(dense(ji).soa), _>([5, 7]);
+    check_columns::<Node, layout!(dense(ij, 3).dense(ji, (2, 4)).split), _>([5, 7]);
+    check_columns::<Node, layout!(Node: dense(ij).dense(ji, 3).place([split(m), flags], [v])), _>([5, 7]);
+    check_columns::<Body, layout!(dense(ji).dense(ij, (5, 3)).aos), _>([16, 16]);
+    check_columns::<Body, layout!(dense(kij).dense(kj, (3, 2)).split), _>([3, 4, 5]);
+}
+
+#[test]
+fn sizes_may_be_constants() {
+    const WIDTH: usize = 6;
+    fn of<const N: usize>() -> usize {
+        Field::<Node, layout!(dense(ij).dense(ij, (N, WIDTH)).soa)>::new([9, 9]).bytes()
+    }
+    let bytes = |text| oracle::map(text, &[9, 9], Node::MEMBERS).bytes;
+    assert_eq!(of::<4>(), bytes("dense(ij).dense(ij, (4, 6)).soa"));
+    assert_eq!(of::<5>(), bytes("dense(ij).dense(ij, (5, 6)).soa"));
+}
+
+/// Elements of 16 bytes, so that nothing is rounded up but runs.
+#[derive(Record, Clone, Copy, Default)]
+struct Even {
+    v: Vec3,
+    m: f32,
+}
+
+#[test]
+fn large_fields_take_their_elements_bytes_and_no_more() {
+    fn overhead<L: Layout<Ij>>() -> f64 {
+        let field = Field::<Even, L>::try_new([400, 240]).expect("a field");
+        field.bytes() as f64 / (field.len() * 16) as f64
+    }
+    for (text, overhead) in [
+        ("aos", overhead::<Aos>()),
+        ("soa", overhead::<Soa>()),
+        ("split", overhead::<Split>()),
+        ("aosoa", overhead::<AoSoA<16>>()),
+        ("blocked", overhead::<Blocked<8>>()),
+        ("columns", overhead::<layout!(dense(ji).dense(ij, (5, 3)).split)>()),
+    ] {
+        assert!((1.0..1.01).contains(&overhead), "{text}: {overhead}");
+    }
+}

@@ -1,0 +1,186 @@
+//! A layout at run time: its text is read, and a pen walks the whole tree and puts down one component after another.
+//! Nothing here shares a line with the library, which computes addresses from types.
+
+use std::collections::HashMap;
+
+/// What the oracle needs to know of a record's member.
+#[derive(Clone, Copy)]
+pub(crate) struct Member {
+    pub(crate) name: &'static str,
+    pub(crate) components: usize,
+    pub(crate) bytes: usize,
+}
+
+/// Where everything lies: bytes from the start of (element, member, component), and the bytes of it all.
+pub(crate) struct Map {
+    pub(crate) offsets: HashMap<(Vec<usize>, usize, usize), usize>,
+    pub(crate) bytes: usize,
+}
+
+/// A node: its axes in the order of memory, and its size along each.
+type Level = Vec<(usize, usize)>;
+
+/// Members that lie together in a run.
+enum Stream {
+    Interleaved(Vec<usize>),
+    /// A run for each component.
+    Split(usize),
+}
+
+/// Interprets the text of a layout for a field of this shape.
+pub(crate) fn map(text: &str, shape: &[usize], members: &[Member]) -> Map {
+    let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    let chain = text.split_once(':').map_or(text.as_str(), |(_, chain)| chain);
+    let mut words = split(chain, '.');
+    let place = words.pop().expect("a place");
+    let mut nodes: Vec<Vec<(usize, Option<usize>)>> = words.iter().map(|word| node(word)).collect();
+    if nodes[0].iter().any(|(_, size)| size.is_some()) {
+        nodes.insert(0, nodes[0].iter().map(|&(axis, _)| (axis, None)).collect());
+    }
+    let inner: Vec<Level> = nodes[1..]
+        .iter()
+        .map(|node| node.iter().map(|&(axis, size)| (axis, size.expect("a size"))).collect())
+        .collect();
+    let block = |axis| inner.iter().flatten().filter(|(a, _)| *a == axis).map(|(_, size)| size).product::<usize>();
+    let root: Level = nodes[0].iter().map(|&(axis, _)| (axis, shape[axis].div_ceil(block(axis)))).collect();
+    let levels: Vec<Level> = std::iter::once(root).chain(inner).collect();
+    let widest = members.iter().map(|member| member.bytes).max().expect("members");
+    // Runs begin at multiples of the widest scalar; those of a field that is one run a stream, at cache lines.
+    let align = if levels.len() == 1 { 64 } else { widest };
+    let mut pen =
+        Pen { levels, shape, members, streams: streams(place, members), align, at: 0, offsets: HashMap::new() };
+    pen.node(0, vec![0; shape.len()]);
+    Map { offsets: pen.offsets, bytes: pen.at }
+}
+
+/// Splits at a character that stands in no brackets.
+fn split(text: &str, at: char) -> Vec<&str> {
+    let (mut parts, mut depth, mut start) = (Vec::new(), 0, 0);
+    for (n, c) in text.char_indices() {
+        match c {
+            '(' | '[' => depth += 1,
+            ')' | ']' => depth -= 1,
+            c if c == at && depth == 0 => {
+                parts.push(&text[start..n]);
+                start = n + 1;
+            }
+            _ => {}
+        }
+    }
+    parts.push(&text[start..]);
+    parts
+}
+
+/// What stands between the outermost brackets of a word.
+fn arguments(word: &str) -> Vec<&str> {
+    let (_, rest) = word.split_once(['(', '[']).expect("arguments");
+    split(&rest[..rest.len() - 1], ',')
+}
+
+fn node(word: &str) -> Vec<(usize, Option<usize>)> {
+    let arguments = arguments(word);
+    let sizes: Vec<usize> = match arguments.get(1) {
+        None => Vec::new(),
+        Some(sizes) => sizes.trim_matches(['(', ')']).split(',').map(|size| size.parse().expect("a size")).collect(),
+    };
+    let axes = arguments[0].chars().map(|letter| "ijkl".find(letter).expect("an axis"));
+    axes.enumerate().map(|(n, axis)| (axis, sizes.get(n).or(sizes.first()).copied())).collect()
+}
+
+fn streams(place: &str, members: &[Member]) -> Vec<Stream> {
+    let all = 0..members.len();
+    let number = |name: &str| members.iter().position(|member| member.name == name).expect("a member");
+    match place {
+        "aos" => vec![Stream::Interleaved(all.collect())],
+        "soa" => all.map(|member| Stream::Interleaved(vec![member])).collect(),
+        "split" => all.map(Stream::Split).collect(),
+        groups => {
+            let mut streams = Vec::new();
+            for group in arguments(groups) {
+                let (apart, together): (Vec<&str>, Vec<&str>) =
+                    arguments(group).into_iter().partition(|entry| entry.starts_with("split"));
+                if !together.is_empty() {
+                    streams.push(Stream::Interleaved(together.into_iter().map(number).collect()));
+                }
+                streams.extend(apart.into_iter().map(|entry| Stream::Split(number(arguments(entry)[0]))));
+            }
+            streams
+        }
+    }
+}
+
+struct Pen<'a> {
+    levels: Vec<Level>,
+    shape: &'a [usize],
+    members: &'a [Member],
+    streams: Vec<Stream>,
+    align: usize,
+    at: usize,
+    offsets: HashMap<(Vec<usize>, usize, usize), usize>,
+}
+
+impl Pen<'_> {
+    /// The node of a level whose first element is `origin`.
+    fn node(&mut self, level: usize, origin: Vec<usize>) {
+        let mut cells = vec![origin];
+        for &(axis, size) in &self.levels[level] {
+            let below = self.levels[level + 1..].iter().flatten().filter(|(a, _)| *a == axis).map(|(_, size)| size);
+            let step: usize = below.product();
+            cells = cells
+                .into_iter()
+                .flat_map(|cell| {
+                    (0..size).map(move |n| {
+                        let mut cell = cell.clone();
+                        cell[axis] += n * step;
+                        cell
+                    })
+                })
+                .collect();
+        }
+        if level + 1 == self.levels.len() {
+            self.innermost(&cells);
+        } else {
+            for cell in cells {
+                self.node(level + 1, cell);
+            }
+        }
+    }
+
+    fn innermost(&mut self, cells: &[Vec<usize>]) {
+        let streams = std::mem::take(&mut self.streams);
+        for stream in &streams {
+            match stream {
+                Stream::Interleaved(members) => {
+                    let widest = members.iter().map(|&m| self.members[m].bytes).max().expect("a member");
+                    for cell in cells {
+                        for &m in members {
+                            for component in 0..self.members[m].components {
+                                self.component(cell, m, component);
+                            }
+                        }
+                        self.at = self.at.next_multiple_of(widest);
+                    }
+                    self.at = self.at.next_multiple_of(self.align);
+                }
+                &Stream::Split(m) => {
+                    for component in 0..self.members[m].components {
+                        for cell in cells {
+                            self.component(cell, m, component);
+                        }
+                        self.at = self.at.next_multiple_of(self.align);
+                    }
+                }
+            }
+        }
+        self.streams = streams;
+    }
+
+    /// Puts one component down; cells beyond the shape take their room but are no elements.
+    fn component(&mut self, cell: &[usize], member: usize, component: usize) {
+        if cell.iter().zip(self.shape).all(|(n, extent)| n < extent) {
+            let before = self.offsets.insert((cell.to_vec(), member, component), self.at);
+            assert_eq!(before, None, "an element lies twice");
+        }
+        self.at += self.members[member].bytes;
+    }
+}

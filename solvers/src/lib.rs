@@ -1,0 +1,26 @@
+//! Physics solvers written in Allotrope.
+//!
+//! [`solvers`] is the one list of them: the laboratory, the benches and the equivalence tests take solvers, scenes and layouts
+//! from it, so that what is added here is run, measured and tested everywhere.
+//!
+//! ```
+//! let mpm = allotrope_solvers::solver("mpm").unwrap();
+//! let scene = mpm.scene("mpm88").unwrap();
+//! let mut fluid = (mpm.build)(&scene, "aosoa16+blocked4").unwrap();
+//! fluid.step().unwrap();
+//! assert_eq!(fluid.particles(), 8192);
+//! ```
+
+#![forbid(unsafe_code)]
+
+pub mod mesh;
+pub mod mpm;
+mod nearest;
+mod registry;
+pub mod scene;
+mod simulation;
+
+pub use nearest::nearest;
+pub use registry::{LayoutInfo, SceneInfo, SolverInfo, solver, solvers};
+pub use scene::{Scene, SceneError};
+pub use simulation::{Simulation, StepError, Totals};

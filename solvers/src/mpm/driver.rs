@@ -1,0 +1,146 @@
+//! A step of the fluid, whatever its dimensions and layouts.
+
+use std::time::{Duration, Instant};
+
+use super::fluid::{Fluid, Particle};
+use crate::scene::{Particles, Scene, place};
+use crate::{SceneError, Simulation, StepError, Totals};
+
+const KERNELS: &[&str] = &["scatter", "grid", "gather"];
+const KERNELS_AND_SORT: &[&str] = &["scatter", "grid", "gather", "sort"];
+
+/// A fluid with its clock, and the order in which its particles were given.
+pub(super) struct Driver<F: Fluid> {
+    fluid: F,
+    parameters: F::Parameters,
+    scene: Scene,
+    /// For each place in memory, which particle of the scene lies there.
+    identity: Vec<u32>,
+    steps: u64,
+}
+
+impl<F: Fluid> Driver<F> {
+    pub(super) fn new(scene: &Scene, particles: &Particles, parameters: F::Parameters) -> Result<Self, SceneError> {
+        let fluid = F::new(particles, scene.grid).map_err(|fault| SceneError::new(&*scene.file, fault))?;
+        let identity = (0..particles.x.len() as u32).collect();
+        Ok(Self { fluid, parameters, scene: scene.clone(), identity, steps: 0 })
+    }
+
+    fn in_given_order<T: Clone + Default>(&self, value: impl Fn(Particle) -> T) -> Vec<T> {
+        let mut values = vec![T::default(); self.identity.len()];
+        for (place, &particle) in self.identity.iter().enumerate() {
+            values[particle as usize] = value(self.fluid.particle(place));
+        }
+        values
+    }
+
+    /// Why the step that was just done is meaningless: the first particle, in the order given, that is not finite or too fast.
+    fn broken(&self, count: u32) -> StepError {
+        let fastest = self.scene.dx() / self.scene.dt;
+        let speed = |v: [f64; 3]| v.iter().map(|component| component * component).sum::<f64>().sqrt();
+        let sound = |particle: &Particle| particle.x.iter().all(|x| x.is_finite()) && speed(particle.v) <= fastest * (1.0 - 1e-6);
+        let particles = self.in_given_order(|particle| particle);
+        let first = particles.iter().position(|particle| !sound(particle)).unwrap_or(0);
+        let Particle { x, v, .. } = particles[first];
+        let at = place(x, self.scene.dimensions);
+        let what = if x.iter().chain(&v).all(|component| component.is_finite()) {
+            format!("particle {first} at {at} moved more than a cell, at {:.3} of at most {fastest:.3}", speed(v))
+        } else {
+            format!("particle {first} is not finite, at {at} with the velocity {}", place(v, self.scene.dimensions))
+        };
+        let others = if count > 1 { format!(", and {} others", count - 1) } else { String::new() };
+        StepError { step: self.steps, message: format!("{what}{others}; make `dt = {}` smaller", self.scene.dt) }
+    }
+}
+
+impl<F: Fluid> Simulation for Driver<F> {
+    fn kernel_names(&self) -> &'static [&'static str] {
+        if self.scene.reorder == 0 { KERNELS } else { KERNELS_AND_SORT }
+    }
+
+    fn step_timed(&mut self, spent: &mut [Duration]) -> Result<(), StepError> {
+        let mut last = Instant::now();
+        let mut lap = |kernel: usize| {
+            let now = Instant::now();
+            spent[kernel] += now - last;
+            last = now;
+        };
+        if self.scene.reorder != 0 && self.steps.is_multiple_of(self.scene.reorder) {
+            let order = self.fluid.reorder(&self.parameters);
+            self.identity = order.old_places().iter().map(|&old| self.identity[old as usize]).collect();
+            lap(3);
+        }
+        self.fluid.clear();
+        lap(1);
+        self.fluid.scatter(&self.parameters);
+        lap(0);
+        self.fluid.update_grid(&self.parameters);
+        lap(1);
+        let broken = self.fluid.gather(&self.parameters);
+        lap(2);
+        self.steps += 1;
+        if broken == 0 { Ok(()) } else { Err(self.broken(broken)) }
+    }
+
+    fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    fn dt(&self) -> f64 {
+        self.scene.dt
+    }
+
+    fn dimensions(&self) -> usize {
+        self.scene.dimensions
+    }
+
+    fn particles(&self) -> usize {
+        self.fluid.len()
+    }
+
+    fn grid_shape(&self) -> Vec<usize> {
+        self.scene.grid[..self.scene.dimensions].to_vec()
+    }
+
+    fn extent(&self) -> [f64; 3] {
+        self.scene.extent()
+    }
+
+    /// A particle comes to rest where all nodes around it belong to the wall.
+    fn margin(&self) -> f64 {
+        (self.scene.wall as f64 - 1.5) * self.scene.dx()
+    }
+
+    fn spacing(&self) -> f64 {
+        self.scene.spacing * self.scene.dx()
+    }
+
+    fn bytes(&self) -> usize {
+        self.fluid.bytes()
+    }
+
+    fn positions(&self) -> Vec<[f64; 3]> {
+        self.in_given_order(|particle| particle.x)
+    }
+
+    fn velocities(&self) -> Vec<[f64; 3]> {
+        self.in_given_order(|particle| particle.v)
+    }
+
+    /// The affine part of the angular momentum is `m dx^2 / 4` times twice the antisymmetric part of the gradient (quadratic
+    /// splines; Jiang et al. 2017, "An angular momentum conserving affine-particle-in-cell method").
+    fn totals(&self) -> Totals {
+        let mass = self.scene.particle_volume() * self.scene.density;
+        let inertia = mass * self.scene.dx().powi(2) / 4.0;
+        let mut totals = Totals { mass: mass * self.particles() as f64, momentum: [0.0; 3], angular_momentum: [0.0; 3] };
+        for place in 0..self.fluid.len() {
+            let Particle { x, v, c } = self.fluid.particle(place);
+            for axis in 0..3 {
+                let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
+                totals.momentum[axis] += mass * v[axis];
+                totals.angular_momentum[axis] += mass * (x[a] * v[b] - x[b] * v[a]) + inertia * (c[b][a] - c[a][b]);
+            }
+        }
+        totals
+    }
+}

@@ -1,0 +1,71 @@
+//! What the driver asks of a fluid in some dimensions and layouts.
+
+use allotrope::Permutation;
+use allotrope::prelude::*;
+
+use crate::scene::Particles;
+
+/// The state of a fluid in one pair of layouts, and the parts of a step.
+pub(super) trait Fluid: Send + Sized {
+    /// What the kernels need to know of the scene.
+    type Parameters: Send;
+
+    /// # Errors
+    /// If memory is refused.
+    fn new(particles: &Particles, grid: [usize; 3]) -> Result<Self, String>;
+
+    /// Empties the grid.
+    fn clear(&mut self);
+
+    /// Mass and momentum, from particles to the grid.
+    fn scatter(&mut self, parameters: &Self::Parameters);
+
+    /// Momentum to velocity, gravity, walls.
+    fn update_grid(&mut self, parameters: &Self::Parameters);
+
+    /// Velocity, from the grid to particles, which move. Tells how many of them are not finite or moved more than a cell.
+    fn gather(&mut self, parameters: &Self::Parameters) -> u32;
+
+    /// Sorts the particles by cell.
+    fn reorder(&mut self, parameters: &Self::Parameters) -> Permutation;
+
+    /// Number of particles.
+    fn len(&self) -> usize;
+
+    /// The particle at a place.
+    fn particle(&self, place: usize) -> Particle;
+
+    /// Bytes of all fields.
+    fn bytes(&self) -> usize;
+}
+
+/// A particle, whatever its dimensions and layout.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Particle {
+    pub(super) x: [f64; 3],
+    pub(super) v: [f64; 3],
+    /// Gradient of the velocity, `c[row][column]`.
+    pub(super) c: [[f64; 3]; 3],
+}
+
+/// The key by which particles are sorted: their first node in blocks of 4 nodes an axis, block after block, so that neighbours in
+/// memory share nodes of the grid, whatever its layout.
+///
+/// ```
+/// use allotrope::prelude::*;
+/// use allotrope_solvers::mpm::block_major;
+/// let row: Vec<u64> = (0..6).map(|j| block_major(uvec3(0, j, 0), [9, 10, 1])).collect();
+/// assert_eq!(row, [0, 1, 2, 3, 16, 17]);
+/// assert_eq!(block_major(uvec3(1, 0, 0), [9, 10, 1]), 4);
+/// assert_eq!(block_major(uvec3(4, 0, 0), [9, 10, 1]), 48);
+/// assert_eq!(block_major(uvec3(1, 2, 3), [8, 8, 8]), 16 + 8 + 3);
+/// assert_eq!(block_major(uvec3(4, 0, 0), [8, 8, 8]), 4 * 64);
+/// ```
+pub fn block_major(node: UVec3, shape: [usize; 3]) -> u64 {
+    let blocks = shape.map(|nodes| nodes.div_ceil(4) as u64);
+    let (block, inner) = (node / 4, node % 4);
+    let outer = (u64::from(block.x) * blocks[1] + u64::from(block.y)) * blocks[2] + u64::from(block.z);
+    let cells = if shape[2] == 1 { 16 } else { 64 };
+    let depth = if shape[2] == 1 { 1 } else { 4 };
+    outer * cells + u64::from((inner.x * 4 + inner.y) * depth + inner.z)
+}

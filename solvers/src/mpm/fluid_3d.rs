@@ -1,0 +1,67 @@
+//! The fluid in space, in any layouts.
+
+use allotrope::Permutation;
+use allotrope::prelude::*;
+
+use super::fluid::{Fluid, Particle, block_major};
+use super::kernels_3d::{clear, grid_to_particle, particle_to_grid, update_grid};
+use super::parameters::Mpm;
+use super::records::{Node3, Point3};
+use crate::scene::Particles;
+
+/// Particles in the layout `P`, grid nodes in the layout `G`.
+pub(super) struct Fluid3<P: Layout<I>, G: Layout<Ijk>> {
+    points: Field<Point3, P>,
+    grid: Field<Node3, G, Ijk>,
+}
+
+impl<P: Layout<I>, G: Layout<Ijk>> Fluid for Fluid3<P, G> {
+    type Parameters = Mpm<Vec3>;
+
+    fn new(particles: &Particles, grid: [usize; 3]) -> Result<Self, String> {
+        let mut points = Field::<Point3, P>::try_new([particles.x.len()]).map_err(|error| error.to_string())?;
+        let grid = Field::<Node3, G>::try_new(grid).map_err(|error| error.to_string())?;
+        for (p, ((x, v), c)) in particles.x.iter().zip(&particles.v).zip(&particles.c).enumerate() {
+            let vector = |v: [f64; 3]| Vec3::from_array(v.map(|component| component as f32));
+            let column = |n: usize| vector([c[0][n], c[1][n], c[2][n]]);
+            let c = Mat3::from_cols(column(0), column(1), column(2));
+            points.set(p, Point3 { x: vector(*x), v: vector(*v), c, j: 1.0 });
+        }
+        Ok(Self { points, grid })
+    }
+
+    fn clear(&mut self) {
+        clear(&mut self.grid);
+    }
+
+    fn scatter(&mut self, mpm: &Mpm<Vec3>) {
+        particle_to_grid(&self.points, &mut self.grid, mpm);
+    }
+
+    fn update_grid(&mut self, mpm: &Mpm<Vec3>) {
+        update_grid(&mut self.grid, mpm);
+    }
+
+    fn gather(&mut self, mpm: &Mpm<Vec3>) -> u32 {
+        grid_to_particle(&mut self.points, &self.grid, mpm)
+    }
+
+    fn reorder(&mut self, mpm: &Mpm<Vec3>) -> Permutation {
+        let shape = self.grid.shape();
+        self.points.reorder_by_key(|point| block_major((point.x * mpm.inv_dx - 0.5).as_uvec3(), shape))
+    }
+
+    fn len(&self) -> usize {
+        self.points.len()
+    }
+
+    fn particle(&self, place: usize) -> Particle {
+        let Point3 { x, v, c, .. } = self.points.get(place);
+        let vector = |v: Vec3| v.to_array().map(f64::from);
+        Particle { x: vector(x), v: vector(v), c: [0, 1, 2].map(|row| vector(c.row(row))) }
+    }
+
+    fn bytes(&self) -> usize {
+        self.points.bytes() + self.grid.bytes()
+    }
+}

@@ -1,0 +1,75 @@
+//! The step of the fluid in a plane.
+
+use allotrope::prelude::*;
+
+use super::parameters::{Mpm, quadratic_weights};
+use super::records::{Node2, Point2};
+
+/// Empties the grid.
+#[kernel]
+pub fn clear(grid: &mut Field<Node2, _, Ij>) {
+    for ij in grid {
+        grid[ij] = Node2 { v: Vec2::ZERO, m: 0.0 };
+    }
+}
+
+/// Scatters mass and momentum of every point to its 3 x 3 nodes.
+#[kernel]
+pub fn particle_to_grid(points: &Field<Point2, _>, grid: &mut Field<Node2, _, Ij>, mpm: &Mpm<Vec2>) {
+    for p in points {
+        let xp = points.x[p] * mpm.inv_dx;
+        let base = (xp - 0.5).as_ivec2();
+        let fx = xp - base.as_vec2();
+        let w = quadratic_weights(fx);
+        let momentum = mpm.mass * points.v[p];
+        let affine = mpm.stress(points.j[p]) + mpm.mass * points.c[p];
+        for (i, j) in unroll!(0..3, 0..3) {
+            let offset = ivec2(i, j);
+            let dpos = (offset.as_vec2() - fx) * mpm.dx;
+            let weight = w[i as usize].x * w[j as usize].y;
+            grid.v[base + offset] += weight * (momentum + affine * dpos);
+            grid.m[base + offset] += weight * mpm.mass;
+        }
+    }
+}
+
+/// Makes momentum velocity, adds gravity, and lets nothing flow out through the walls.
+#[kernel]
+pub fn update_grid(grid: &mut Field<Node2, _, Ij>, mpm: &Mpm<Vec2>) {
+    for (i, j) in grid {
+        let m = grid.m[(i, j)];
+        if m > 0.0 {
+            let v = grid.v[(i, j)] / m + mpm.dt * mpm.gravity;
+            grid.v[(i, j)] = mpm.slip(ivec2(i, j), v);
+        }
+    }
+}
+
+/// Gathers velocity and its gradient from the 3 x 3 nodes of every point, and moves it. Returns how many points moved more than a
+/// cell, or are not finite.
+#[kernel]
+pub fn grid_to_particle(points: &mut Field<Point2, _>, grid: &Field<Node2, _, Ij>, mpm: &Mpm<Vec2>) -> u32 {
+    let mut broken = 0;
+    for p in points {
+        let xp = points.x[p] * mpm.inv_dx;
+        let base = (xp - 0.5).as_ivec2();
+        let fx = xp - base.as_vec2();
+        let w = quadratic_weights(fx);
+        let mut v = Vec2::ZERO;
+        let mut c = Mat2::ZERO;
+        for (i, j) in unroll!(0..3, 0..3) {
+            let offset = ivec2(i, j);
+            let dpos = offset.as_vec2() - fx;
+            let weighted = w[i as usize].x * w[j as usize].y * grid.v[base + offset];
+            v += weighted;
+            c += Mat2::from_cols(weighted * dpos.x, weighted * dpos.y);
+        }
+        let c = 4.0 * mpm.inv_dx * c;
+        points.v[p] = v;
+        points.c[p] = c;
+        points.x[p] += mpm.dt * v;
+        points.j[p] *= 1.0 + mpm.dt * (c.x_axis.x + c.y_axis.y);
+        broken += u32::from(!mpm.keeps_pace(v));
+    }
+    broken
+}

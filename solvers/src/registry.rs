@@ -1,0 +1,82 @@
+//! The one list of solvers.
+
+use crate::nearest::hint;
+use crate::scene::Folder;
+use crate::{Scene, SceneError, Simulation, mpm};
+
+/// A solver: what it offers, and how a simulation is made.
+#[derive(Debug)]
+pub struct SolverInfo {
+    /// The name by which it is asked for.
+    pub name: &'static str,
+    /// One line about it.
+    pub about: &'static str,
+    /// Its built-in scenes; the first is the default.
+    pub scenes: &'static [SceneInfo],
+    /// The layouts in which it was compiled; the first is the default.
+    pub layouts: &'static [LayoutInfo],
+    /// Makes the simulation of a scene in one of [`layouts`](Self::layouts).
+    pub build: fn(&Scene, layout: &str) -> Result<Box<dyn Simulation>, SceneError>,
+}
+
+/// A built-in scene.
+#[derive(Debug)]
+pub struct SceneInfo {
+    /// The name by which it is asked for.
+    pub name: &'static str,
+    /// One line about it.
+    pub about: &'static str,
+    /// Its TOML text (`SCENES.md` is the schema).
+    pub text: &'static str,
+}
+
+/// A layout, or a combination of layouts, in which a solver was compiled.
+#[derive(Debug)]
+pub struct LayoutInfo {
+    /// The name by which it is asked for, `particles+grid`.
+    pub name: &'static str,
+    /// One line about it.
+    pub about: &'static str,
+}
+
+/// All solvers. To add one, add its line here.
+pub fn solvers() -> &'static [SolverInfo] {
+    static SOLVERS: &[SolverInfo] = &[mpm::SOLVER];
+    SOLVERS
+}
+
+/// The solver of that name.
+///
+/// # Errors
+/// Names the nearest solver if there is none of that name.
+pub fn solver(name: &str) -> Result<&'static SolverInfo, String> {
+    let known = solvers().iter().map(|solver| solver.name);
+    solvers().iter().find(|solver| solver.name == name).ok_or_else(|| format!("there is no solver `{name}`{}", hint(name, known)))
+}
+
+impl SolverInfo {
+    /// The built-in scene of that name.
+    ///
+    /// # Errors
+    /// Names the nearest scene if there is none of that name.
+    pub fn scene(&self, name: &str) -> Result<Scene, SceneError> {
+        let known = self.scenes.iter().map(|scene| scene.name);
+        let Some(info) = self.scenes.iter().find(|scene| scene.name == name) else {
+            let solver = self.name;
+            return Err(SceneError::new(name, format!("`{solver}` has no scene of this name{}", hint(name, known))));
+        };
+        Scene::parse(info.text, name, Folder::BuiltIn)
+    }
+
+    /// The layout of that name.
+    ///
+    /// # Errors
+    /// Names the nearest layout if there is none of that name.
+    pub fn layout(&self, name: &str) -> Result<&'static LayoutInfo, String> {
+        let known = self.layouts.iter().map(|layout| layout.name);
+        self.layouts
+            .iter()
+            .find(|layout| layout.name == name)
+            .ok_or_else(|| format!("`{}` has no layout `{name}`{}", self.name, hint(name, known)))
+    }
+}

@@ -1,0 +1,243 @@
+//! Bodies of fluid: their shapes, and the particles that fill them.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+
+use super::keys::Keys;
+use super::{Folder, Particles, SceneError};
+use crate::mesh::{ClosedMesh, read_obj};
+
+/// A body of fluid.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// What it fills.
+    pub shape: Shape,
+    /// Velocity in metres a second.
+    pub velocity: [f64; 3],
+    /// Rotation about its centre in rad/s; in 2D about the third axis.
+    pub spin: [f64; 3],
+}
+
+/// What a body fills.
+#[derive(Clone, Debug)]
+pub enum Shape {
+    /// A box.
+    Box {
+        /// The lower corner.
+        from: [f64; 3],
+        /// The upper corner.
+        to: [f64; 3],
+        /// How particles are placed in it.
+        fill: Fill,
+    },
+    /// A disk or ball, filled by a lattice.
+    Ball {
+        /// Its centre.
+        center: [f64; 3],
+        /// Its radius.
+        radius: f64,
+    },
+    /// The inside of a closed mesh, filled by a lattice.
+    Mesh(ClosedMesh),
+    /// Given positions.
+    Points(Vec<[f64; 3]>),
+}
+
+/// How particles are placed in a box.
+#[derive(Clone, Debug)]
+pub enum Fill {
+    /// Uniformly at random.
+    Random {
+        /// How many.
+        particles: usize,
+        /// Of the generator.
+        seed: u64,
+    },
+    /// On a lattice of the scene's spacing, each moved at random by up to half of `jitter` spacings along each axis.
+    Lattice {
+        /// From zero to one.
+        jitter: f64,
+        /// Of the generator.
+        seed: u64,
+    },
+}
+
+pub(super) const KEYS: &[&str] = &[
+    "shape", "from", "to", "particles", "seed", "jitter", "center", "radius", "file", "scale", "move", "velocity", "spin",
+];
+
+/// Keys that each shape takes beside `shape`, `velocity` and `spin`.
+const SHAPES: &[(&str, &[&str])] = &[
+    ("box", &["from", "to", "particles", "seed", "jitter"]),
+    ("ball", &["center", "radius"]),
+    ("mesh", &["file", "scale", "move"]),
+    ("points", &["file"]),
+];
+
+impl Body {
+    pub(super) fn read(keys: &Keys<'_>, dimensions: usize, folder: &Folder) -> Result<Self, SceneError> {
+        let name = keys.required_text("shape", "\"box\"")?;
+        let Some((_, takes)) = SHAPES.iter().find(|(known, _)| *known == name) else {
+            return Err(keys.fault("shape", format!("is no shape{}", crate::nearest::hint(name, SHAPES.iter().map(|(name, _)| *name)))));
+        };
+        for key in KEYS.iter().filter(|key| !["shape", "velocity", "spin"].contains(key) && !takes.contains(key)) {
+            if keys.has(key) {
+                return Err(keys.fault(key, format!("is not a key of a body of the shape `{name}`, which takes `{}`", takes.join("`, `"))));
+            }
+        }
+        let shape = match name {
+            "box" => read_box(keys, dimensions)?,
+            "ball" => Shape::Ball {
+                center: keys.required_vector("center", dimensions, "[0.5, 0.5]")?,
+                radius: keys.positive("radius", "0.2")?,
+            },
+            "mesh" => read_mesh(keys, dimensions, folder)?,
+            _ => read_points(keys, dimensions, folder)?,
+        };
+        Ok(Self { shape, velocity: keys.vector("velocity", dimensions)?.unwrap_or_default(), spin: read_spin(keys, dimensions)? })
+    }
+
+    /// Gives the positions of this body their velocities, and appends them.
+    pub(super) fn set_off(&self, positions: Vec<[f64; 3]>, particles: &mut Particles) {
+        let [a, b, c] = self.spin;
+        let gradient = [[0.0, -c, b], [c, 0.0, -a], [-b, a, 0.0]];
+        let n = positions.len() as f64;
+        let center: [f64; 3] = std::array::from_fn(|axis| positions.iter().map(|x| x[axis]).sum::<f64>() / n);
+        for x in positions {
+            let arm: [f64; 3] = std::array::from_fn(|axis| x[axis] - center[axis]);
+            let turn = |row: [f64; 3]| row[0] * arm[0] + row[1] * arm[1] + row[2] * arm[2];
+            particles.x.push(x);
+            particles.v.push(std::array::from_fn(|axis| self.velocity[axis] + turn(gradient[axis])));
+            particles.c.push(gradient);
+        }
+    }
+}
+
+impl Shape {
+    /// Volume in m^3 (in 2D, m^2); of given points, zero.
+    pub(super) fn volume(&self, dimensions: usize) -> f64 {
+        match self {
+            Self::Box { from, to, .. } => (0..dimensions).map(|axis| to[axis] - from[axis]).product(),
+            Self::Ball { radius, .. } if dimensions == 2 => std::f64::consts::PI * radius.powi(2),
+            Self::Ball { radius, .. } => 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3),
+            Self::Mesh(mesh) => mesh.volume(),
+            Self::Points(_) => 0.0,
+        }
+    }
+
+    /// The positions that fill the shape at this spacing; if they are more than `room`, the fault.
+    pub(super) fn fill(&self, spacing: f64, dimensions: usize, room: usize) -> Result<Vec<[f64; 3]>, String> {
+        let estimate = match self {
+            Self::Box { fill: Fill::Random { particles, .. }, .. } => *particles as f64,
+            Self::Points(positions) => positions.len() as f64,
+            other => other.volume(dimensions) / spacing.powi(dimensions as i32),
+        };
+        if estimate > room as f64 {
+            return Err(format!("would hold {estimate:.0} particles, and more than {} are refused", super::MOST_PARTICLES));
+        }
+        Ok(match self {
+            Self::Box { from, to, fill: Fill::Random { particles, seed } } => {
+                let mut random = ChaCha8Rng::seed_from_u64(*seed);
+                let mut within = |axis: usize| if axis < dimensions { from[axis] + (to[axis] - from[axis]) * unit(&mut random) } else { 0.0 };
+                (0..*particles).map(|_| std::array::from_fn(&mut within)).collect()
+            }
+            Self::Box { from, to, fill: Fill::Lattice { jitter, seed } } => {
+                let mut random = ChaCha8Rng::seed_from_u64(*seed);
+                let mut positions = lattice(*from, *to, spacing, dimensions);
+                for component in positions.iter_mut().flat_map(|x| &mut x[..dimensions]) {
+                    *component += jitter * spacing * (unit(&mut random) - 0.5);
+                }
+                positions
+            }
+            Self::Ball { center, radius } => {
+                let from = center.map(|c| c - radius);
+                let to = center.map(|c| c + radius);
+                let inside = |x: &[f64; 3]| (0..dimensions).map(|axis| (x[axis] - center[axis]).powi(2)).sum::<f64>() <= radius * radius;
+                lattice(from, to, spacing, dimensions).into_iter().filter(inside).collect()
+            }
+            Self::Mesh(mesh) => mesh.fill(spacing),
+            Self::Points(positions) => positions.clone(),
+        })
+    }
+}
+
+/// Uniform in [0, 1), with the 24 bits that single precision holds.
+fn unit(random: &mut ChaCha8Rng) -> f64 {
+    f64::from(random.next_u32() >> 8) * 2f64.powi(-24)
+}
+
+/// The middles of the cells of a box that is cut into whole cells of about the given spacing; the last axis runs fastest.
+fn lattice(from: [f64; 3], to: [f64; 3], spacing: f64, dimensions: usize) -> Vec<[f64; 3]> {
+    let side = |axis: usize| if axis < dimensions { to[axis] - from[axis] } else { 0.0 };
+    let count: [usize; 3] = std::array::from_fn(|axis| ((side(axis) / spacing).round() as usize).max(1));
+    let at = |axis: usize, n: usize| if axis < dimensions { from[axis] + side(axis) * (n as f64 + 0.5) / count[axis] as f64 } else { 0.0 };
+    let mut positions = Vec::with_capacity(count.iter().product());
+    for i in 0..count[0] {
+        for j in 0..count[1] {
+            positions.extend((0..count[2]).map(|k| [at(0, i), at(1, j), at(2, k)]));
+        }
+    }
+    positions
+}
+
+fn read_box(keys: &Keys<'_>, dimensions: usize) -> Result<Shape, SceneError> {
+    let from = keys.required_vector("from", dimensions, "[0.2, 0.2]")?;
+    let to = keys.required_vector("to", dimensions, "[0.6, 0.6]")?;
+    if let Some(axis) = (0..dimensions).find(|&axis| to[axis] <= from[axis]) {
+        let message = format!("must lie above `from`, and on axis {axis} {} does not lie above {}", to[axis], from[axis]);
+        return Err(keys.fault("to", message));
+    }
+    let seed = keys.whole("seed", 0, i64::MAX)?.unwrap_or(0) as u64;
+    let fill = match keys.whole("particles", 1, super::MOST_PARTICLES as i64)? {
+        Some(_) if keys.has("jitter") => {
+            return Err(keys.fault("jitter", "moves particles of a lattice, and `particles` asks for random ones; leave one out"));
+        }
+        Some(particles) => Fill::Random { particles: particles as usize, seed },
+        None => {
+            let jitter = keys.number("jitter")?.unwrap_or(0.0);
+            if !(0.0..=1.0).contains(&jitter) {
+                return Err(keys.fault("jitter", "is not from 0 to 1"));
+            }
+            Fill::Lattice { jitter, seed }
+        }
+    };
+    Ok(Shape::Box { from, to, fill })
+}
+
+fn read_mesh(keys: &Keys<'_>, dimensions: usize, folder: &Folder) -> Result<Shape, SceneError> {
+    if dimensions != 3 {
+        return Err(keys.fault("shape", "needs `dimensions = 3`"));
+    }
+    let name = keys.required_text("file", "\"bunny.obj\"")?;
+    let bytes = folder.read(name).map_err(|fault| keys.fault("file", fault))?;
+    let mesh = read_obj(&bytes).and_then(|mesh| mesh.closed()).map_err(|fault| keys.fault("file", fault.to_string()))?;
+    let scale = if keys.has("scale") { keys.positive("scale", "0.05")? } else { 1.0 };
+    let offset = keys.vector("move", 3)?.unwrap_or_default();
+    Ok(Shape::Mesh(mesh.placed(scale, offset)))
+}
+
+fn read_points(keys: &Keys<'_>, dimensions: usize, folder: &Folder) -> Result<Shape, SceneError> {
+    let name = keys.required_text("file", "\"points.txt\"")?;
+    let bytes = folder.read(name).map_err(|fault| keys.fault("file", fault))?;
+    let text = String::from_utf8(bytes).map_err(|_| keys.fault("file", "is not a text in UTF-8"))?;
+    let mut positions = Vec::new();
+    for (n, line) in text.lines().enumerate() {
+        let line = line.split('#').next().unwrap_or_default();
+        let words: Vec<&str> = line.split([',', ' ', '\t', '\r']).filter(|word| !word.is_empty()).collect();
+        if words.is_empty() {
+            continue;
+        }
+        let numbers: Vec<f64> = words.iter().filter_map(|word| word.parse().ok()).filter(|x: &f64| x.is_finite()).collect();
+        if numbers.len() != dimensions || words.len() != dimensions {
+            return Err(keys.fault("file", format!("has on line {} `{}`, where {dimensions} finite numbers are wanted", n + 1, line.trim())));
+        }
+        let mut position = [0.0; 3];
+        position[..dimensions].copy_from_slice(&numbers);
+        positions.push(position);
+    }
+    Ok(Shape::Points(positions))
+}
+
+fn read_spin(keys: &Keys<'_>, dimensions: usize) -> Result<[f64; 3], SceneError> {
+    if dimensions == 2 { Ok([0.0, 0.0, keys.number("spin")?.unwrap_or(0.0)]) } else { Ok(keys.vector("spin", 3)?.unwrap_or_default()) }
+}

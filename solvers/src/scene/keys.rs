@@ -1,0 +1,185 @@
+//! Reads typed, checked values from a TOML table, so that every fault names the file, the key and the value.
+
+use toml::{Table, Value};
+
+use super::SceneError;
+use crate::nearest::hint;
+
+/// A table whose keys are known.
+pub(super) struct Keys<'a> {
+    file: &'a str,
+    /// Where the table stands in the file: empty, or `material.`.
+    prefix: String,
+    table: &'a Table,
+}
+
+impl<'a> Keys<'a> {
+    /// # Errors
+    /// If a key is not among the known ones: the nearest of them is named.
+    pub(super) fn new(file: &'a str, prefix: String, table: &'a Table, known: &[&str]) -> Result<Self, SceneError> {
+        match table.keys().find(|key| !known.contains(&key.as_str())) {
+            Some(key) => {
+                let message = format!("is not a key of a scene{}", hint(key, known.iter().copied()));
+                Err(SceneError::at(file, format!("{prefix}{key}"), message))
+            }
+            None => Ok(Self { file, prefix, table }),
+        }
+    }
+
+    pub(super) fn has(&self, key: &str) -> bool {
+        self.table.contains_key(key)
+    }
+
+    /// The fault of a key's value.
+    pub(super) fn fault(&self, key: &str, message: impl Into<String>) -> SceneError {
+        let key = match self.table.get(key) {
+            Some(value) => format!("{}{key} = {}", self.prefix, short(value)),
+            None => format!("{}{key}", self.prefix),
+        };
+        SceneError::at(self.file, key, message)
+    }
+
+    fn missing(&self, key: &str, example: &str) -> SceneError {
+        self.fault(key, format!("is missing; write, for example, `{key} = {example}`"))
+    }
+
+    fn required<T>(&self, key: &str, example: &str, value: Option<T>) -> Result<T, SceneError> {
+        value.ok_or_else(|| self.missing(key, example))
+    }
+
+    pub(super) fn text(&self, key: &str) -> Result<Option<&'a str>, SceneError> {
+        match self.table.get(key) {
+            None => Ok(None),
+            Some(Value::String(text)) => Ok(Some(text)),
+            Some(other) => Err(self.fault(key, format!("is {}, where a text in quotes is wanted", kind(other)))),
+        }
+    }
+
+    pub(super) fn required_text(&self, key: &str, example: &str) -> Result<&'a str, SceneError> {
+        let value = self.text(key)?;
+        self.required(key, example, value)
+    }
+
+    /// A whole number within bounds.
+    pub(super) fn whole(&self, key: &str, least: i64, most: i64) -> Result<Option<i64>, SceneError> {
+        self.table.get(key).map(|value| self.whole_value(key, value, least, most)).transpose()
+    }
+
+    fn whole_value(&self, key: &str, value: &Value, least: i64, most: i64) -> Result<i64, SceneError> {
+        match value {
+            Value::Integer(n) if (least..=most).contains(n) => Ok(*n),
+            Value::Integer(n) => Err(self.fault(key, format!("holds {n}, which is not from {least} to {most}"))),
+            other => Err(self.fault(key, format!("is {}, where a whole number is wanted", kind(other)))),
+        }
+    }
+
+    /// A finite number.
+    pub(super) fn number(&self, key: &str) -> Result<Option<f64>, SceneError> {
+        self.table.get(key).map(|value| self.number_value(key, value)).transpose()
+    }
+
+    fn number_value(&self, key: &str, value: &Value) -> Result<f64, SceneError> {
+        let number = match value {
+            Value::Integer(n) => *n as f64,
+            Value::Float(x) => *x,
+            other => return Err(self.fault(key, format!("is {}, where a number is wanted", kind(other)))),
+        };
+        if number.is_finite() { Ok(number) } else { Err(self.fault(key, "is not a finite number")) }
+    }
+
+    /// A finite number above zero, in the range of `f32`, in which it is computed.
+    pub(super) fn positive(&self, key: &str, example: &str) -> Result<f64, SceneError> {
+        let value = self.number(key)?;
+        let number = self.required(key, example, value)?;
+        if number <= 0.0 {
+            return Err(self.fault(key, format!("must be above zero; write, for example, `{key} = {example}`")));
+        }
+        if !(1e-30..=1e30).contains(&number) {
+            return Err(self.fault(key, "is out of range; single precision holds from 1e-30 to 1e30 here"));
+        }
+        Ok(number)
+    }
+
+    /// A vector of as many numbers as the scene has dimensions.
+    pub(super) fn vector(&self, key: &str, dimensions: usize) -> Result<Option<[f64; 3]>, SceneError> {
+        let Some(value) = self.table.get(key) else { return Ok(None) };
+        let Value::Array(items) = value else {
+            return Err(self.fault(key, format!("is {}, where a list of {dimensions} numbers is wanted", kind(value))));
+        };
+        if items.len() != dimensions {
+            return Err(self.fault(key, format!("holds {}, where a list of {dimensions} numbers is wanted", items.len())));
+        }
+        let mut vector = [0.0; 3];
+        for (component, item) in vector.iter_mut().zip(items) {
+            *component = self.number_value(key, item)?;
+        }
+        Ok(Some(vector))
+    }
+
+    pub(super) fn required_vector(&self, key: &str, dimensions: usize, example: &str) -> Result<[f64; 3], SceneError> {
+        let value = self.vector(key, dimensions)?;
+        self.required(key, example, value)
+    }
+
+    /// One whole number for all axes, or a list of one an axis.
+    pub(super) fn extents(&self, key: &str, dimensions: usize, least: i64, most: i64) -> Result<[usize; 3], SceneError> {
+        let mut extents = [1; 3];
+        match self.table.get(key) {
+            None => return Err(self.missing(key, "128")),
+            Some(Value::Array(items)) if items.len() == dimensions => {
+                for (extent, item) in extents.iter_mut().zip(items) {
+                    *extent = self.whole_value(key, item, least, most)? as usize;
+                }
+            }
+            Some(Value::Array(items)) => {
+                return Err(self.fault(key, format!("holds {} extents, where {dimensions} are wanted", items.len())));
+            }
+            Some(value) => extents[..dimensions].fill(self.whole_value(key, value, least, most)? as usize),
+        }
+        Ok(extents)
+    }
+
+    /// A table below this one.
+    pub(super) fn table(&self, key: &str, known: &[&str]) -> Result<Option<Keys<'a>>, SceneError> {
+        match self.table.get(key) {
+            None => Ok(None),
+            Some(Value::Table(table)) => Keys::new(self.file, format!("{}{key}.", self.prefix), table, known).map(Some),
+            Some(other) => Err(self.fault(key, format!("is {}, where a table `[{key}]` is wanted", kind(other)))),
+        }
+    }
+
+    /// The tables of a list, `[[key]]`.
+    pub(super) fn tables(&self, key: &str, known: &[&str]) -> Result<Vec<Keys<'a>>, SceneError> {
+        let wanted = format!("a list of tables `[[{key}]]` is wanted");
+        match self.table.get(key) {
+            None => Ok(Vec::new()),
+            Some(Value::Array(items)) => items
+                .iter()
+                .enumerate()
+                .map(|(n, item)| match item {
+                    Value::Table(table) => Keys::new(self.file, format!("{}{key}[{n}].", self.prefix), table, known),
+                    other => Err(self.fault(key, format!("holds {}, where {wanted}", kind(other)))),
+                })
+                .collect(),
+            Some(other) => Err(self.fault(key, format!("is {}, where {wanted}", kind(other)))),
+        }
+    }
+}
+
+fn kind(value: &Value) -> &'static str {
+    match value {
+        Value::String(_) => "a text",
+        Value::Integer(_) => "a whole number",
+        Value::Float(_) => "a number",
+        Value::Boolean(_) => "true or false",
+        Value::Datetime(_) => "a date",
+        Value::Array(_) => "a list",
+        Value::Table(_) => "a table",
+    }
+}
+
+/// A value on one line of bearable length.
+fn short(value: &Value) -> String {
+    let text: String = value.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
+    if text.chars().count() <= 60 { text } else { format!("{}..", text.chars().take(57).collect::<String>()) }
+}

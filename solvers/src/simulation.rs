@@ -1,0 +1,94 @@
+//! What the laboratory asks of every simulation.
+
+use std::fmt;
+use std::time::Duration;
+
+/// A simulation in some layout, advanced a step at a time. Schedules are given from outside: `schedule.run(|| simulation.step())`.
+pub trait Simulation: Send {
+    /// The parts of a step whose times [`step_timed`](Self::step_timed) tells apart.
+    fn kernel_names(&self) -> &'static [&'static str];
+
+    /// Advances by one step and adds the time of each part to `spent`, which is as long as [`kernel_names`](Self::kernel_names).
+    ///
+    /// # Errors
+    /// Where the step would be meaningless: something is not finite, or moves more than a cell.
+    fn step_timed(&mut self, spent: &mut [Duration]) -> Result<(), StepError>;
+
+    /// Advances by one step.
+    ///
+    /// # Errors
+    /// As [`step_timed`](Self::step_timed).
+    fn step(&mut self) -> Result<(), StepError> {
+        let mut spent = vec![Duration::ZERO; self.kernel_names().len()];
+        self.step_timed(&mut spent)
+    }
+
+    /// Steps done.
+    fn steps(&self) -> u64;
+
+    /// Seconds a step.
+    fn dt(&self) -> f64;
+
+    /// Simulated seconds.
+    fn time(&self) -> f64 {
+        self.steps() as f64 * self.dt()
+    }
+
+    /// 2 or 3.
+    fn dimensions(&self) -> usize;
+
+    /// Number of particles.
+    fn particles(&self) -> usize;
+
+    /// Nodes along each axis.
+    fn grid_shape(&self) -> Vec<usize>;
+
+    /// Metres along each axis (zero along axes that the simulation does not have).
+    fn extent(&self) -> [f64; 3];
+
+    /// Metres from each border to the wall that holds the particles.
+    fn margin(&self) -> f64;
+
+    /// Metres between neighbouring particles at rest.
+    fn spacing(&self) -> f64;
+
+    /// Bytes of all fields.
+    fn bytes(&self) -> usize;
+
+    /// Positions in metres, in the order in which the particles were given, whatever order they lie in now.
+    fn positions(&self) -> Vec<[f64; 3]>;
+
+    /// Velocities in metres a second, in the same order.
+    fn velocities(&self) -> Vec<[f64; 3]>;
+
+    /// Conserved totals, summed in `f64`.
+    fn totals(&self) -> Totals;
+}
+
+/// Conserved totals of the particles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Totals {
+    /// kg (in 2D, of a slab one metre thick).
+    pub mass: f64,
+    /// kg m/s.
+    pub momentum: [f64; 3],
+    /// kg m^2/s about the origin, the affine part of the velocity included. In 2D the last component alone is used.
+    pub angular_momentum: [f64; 3],
+}
+
+/// Why a step was refused.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StepError {
+    /// The step, counted from one.
+    pub step: u64,
+    /// What is wrong, where, and the cure.
+    pub message: String,
+}
+
+impl fmt::Display for StepError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "stopped at step {}: {}", self.step, self.message)
+    }
+}
+
+impl std::error::Error for StepError {}

@@ -1,0 +1,347 @@
+//! `allotrope bench`: one scene in many layouts, interleaved, so that a change of the machine's speed meets all of them alike.
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use allotrope::Schedule;
+use allotrope_solvers::{Scene, Simulation, SolverInfo};
+use indicatif::{ProgressBar, ProgressStyle};
+use serde::ser::SerializeMap;
+use serde::{Deserialize, Serialize, Serializer};
+
+use super::errors::LabError;
+use super::machine::{self, NamedSchedule};
+use super::output;
+use super::statistics::{median, spread};
+use super::table::Table;
+
+/// Repetitions, if there are steps enough.
+const REPETITIONS: u64 = 11;
+
+/// What is to be compared.
+#[derive(Debug)]
+pub struct Plan {
+    /// The solver.
+    pub solver: &'static SolverInfo,
+    /// The scene's name in the results.
+    pub name: String,
+    /// The scene.
+    pub scene: Scene,
+    /// Some of the solver's layouts.
+    pub layouts: Vec<&'static str>,
+    /// Ways of accumulating; each layout is run with each.
+    pub schedules: Vec<NamedSchedule>,
+    /// Threads, if so many are asked for.
+    pub threads: Option<usize>,
+    /// Timed steps of each row, if so many are asked for.
+    pub steps: Option<u64>,
+}
+
+/// What `--json` writes.
+#[derive(Debug, Deserialize, Serialize)]
+pub struct Report {
+    /// The solver.
+    pub solver: String,
+    /// The scene.
+    pub scene: String,
+    /// Number of particles.
+    pub particles: usize,
+    /// Nodes along each axis.
+    pub grid: Vec<usize>,
+    /// Threads of loops.
+    pub threads: usize,
+    /// Instruction set of loops.
+    pub isa: String,
+    /// A row for each layout and schedule.
+    pub rows: Vec<Row>,
+}
+
+/// The result of one layout with one schedule.
+#[derive(Debug, Deserialize, Serialize)]
+pub struct Row {
+    /// The layout.
+    pub layout: String,
+    /// The schedule.
+    pub schedule: String,
+    /// Median time a step.
+    pub ms_per_step: f64,
+    /// Interquartile range of the time a step over its median.
+    pub spread: f64,
+    /// Milliseconds a step in each kernel.
+    pub kernels: Kernels,
+    /// Bytes of all fields.
+    pub bytes: usize,
+    /// Largest difference of a position from the first row's after the run, in metres along an axis.
+    pub state_error: f64,
+}
+
+/// Times by the name of the kernel, in the order of a step.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(from = "std::collections::BTreeMap<String, f64>")]
+pub struct Kernels(pub Vec<(String, f64)>);
+
+impl From<std::collections::BTreeMap<String, f64>> for Kernels {
+    fn from(times: std::collections::BTreeMap<String, f64>) -> Self {
+        Self(times.into_iter().collect())
+    }
+}
+
+impl Serialize for Kernels {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for (name, time) in &self.0 {
+            map.serialize_entry(name, time)?;
+        }
+        map.end()
+    }
+}
+
+/// A layout with a schedule, while it runs.
+struct Contender {
+    layout: &'static str,
+    named: NamedSchedule,
+    schedule: Schedule,
+    simulation: Box<dyn Simulation>,
+    /// Milliseconds a step of each repetition.
+    samples: Vec<f64>,
+    /// In each kernel, over all repetitions.
+    spent: Vec<Duration>,
+}
+
+impl Contender {
+    fn advance(&mut self, steps: u64) -> Result<Duration, LabError> {
+        let Self { simulation, spent, schedule, layout, named, .. } = self;
+        let start = Instant::now();
+        let done = schedule.run(|| (0..steps).try_for_each(|_| simulation.step_timed(spent)));
+        done.map_err(|error| LabError::failure(format!("{layout} with schedule {}: {error}", named.name)))?;
+        Ok(start.elapsed())
+    }
+}
+
+/// Runs the plan, prints a table, and writes the report where one is wanted.
+///
+/// # Errors
+/// If the scene cannot be built, a step is refused, layouts end in different states, or the report cannot be written.
+pub fn bench(plan: &Plan, json: Option<&Path>) -> Result<(), LabError> {
+    if let Some(path) = json {
+        output::writable(path)?;
+    }
+    let (report, about) = measure(plan)?;
+    print!("{}", text(&report, &about));
+    match json {
+        Some(path) => {
+            let line = serde_json::to_string(&report).map_err(|error| LabError::failure(error.to_string()))?;
+            output::write(path, format!("{line}\n").as_bytes())
+        }
+        None => Ok(()),
+    }
+}
+
+/// What the table tells beside the report.
+struct About {
+    verified: u64,
+    agreement: f64,
+    repetitions: u64,
+    steps: u64,
+    time: f64,
+}
+
+fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
+    let mut contenders = Vec::new();
+    for &layout in &plan.layouts {
+        for &named in &plan.schedules {
+            let simulation = (plan.solver.build)(&plan.scene, layout)?;
+            let spent = vec![Duration::ZERO; simulation.kernel_names().len()];
+            let schedule = named.with_threads(plan.threads);
+            contenders.push(Contender { layout, named, schedule, simulation, samples: Vec::new(), spent });
+        }
+    }
+
+    let bar = ProgressBar::new_spinner();
+    bar.set_message("comparing the states of all layouts");
+    let verified = verification_steps(contenders[0].simulation.particles(), plan.steps);
+    let mut warm = Duration::ZERO;
+    for contender in &mut contenders {
+        warm += contender.advance(verified)?;
+        contender.spent.fill(Duration::ZERO);
+        bar.tick();
+    }
+    let agreement = verify(&contenders, verified)?;
+
+    let each = warm.as_secs_f64() / verified as f64;
+    let affordable = ((20.0 / each) as u64).clamp(REPETITIONS, 1100);
+    let steps = plan.steps.unwrap_or(affordable);
+    let repetitions = REPETITIONS.min(steps);
+    let style = ProgressStyle::with_template("{bar:40} repetition {pos}/{len}, {eta} left");
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    bar.set_length(repetitions);
+    for repetition in 0..repetitions {
+        let piece = steps * (repetition + 1) / repetitions - steps * repetition / repetitions;
+        // Each begins a round in turn, so that none always follows the same one.
+        let first = repetition as usize % contenders.len();
+        for n in 0..contenders.len() {
+            let n = (first + n) % contenders.len();
+            let time = contenders[n].advance(piece)?;
+            contenders[n].samples.push(time.as_secs_f64() * 1e3 / piece as f64);
+        }
+        bar.set_position(repetition + 1);
+    }
+    bar.finish_and_clear();
+
+    let reference = contenders[0].simulation.positions();
+    let simulation = &contenders[0].simulation;
+    let report = Report {
+        solver: plan.solver.name.to_string(),
+        scene: plan.name.clone(),
+        particles: simulation.particles(),
+        grid: simulation.grid_shape(),
+        threads: machine::threads(plan.threads),
+        isa: machine::instruction_set(),
+        rows: contenders.iter().map(|contender| row(contender, steps, &reference)).collect(),
+    };
+    Ok((report, About { verified, agreement, repetitions, steps, time: simulation.time() }))
+}
+
+fn row(contender: &Contender, steps: u64, reference: &[[f64; 3]]) -> Row {
+    let Contender { layout, named, simulation, samples, spent, .. } = contender;
+    let names = simulation.kernel_names().iter().map(|name| name.to_string());
+    let times = spent.iter().map(|time| six_digits(time.as_secs_f64() * 1e3 / steps as f64));
+    Row {
+        layout: layout.to_string(),
+        schedule: named.name.to_string(),
+        ms_per_step: six_digits(median(samples)),
+        spread: six_digits(spread(samples)),
+        kernels: Kernels(names.zip(times).collect()),
+        bytes: simulation.bytes(),
+        state_error: six_digits(difference(reference, &simulation.positions()).0),
+    }
+}
+
+/// Steps after which the states are compared: 100, fewer where a step is long, and no more than are asked for.
+fn verification_steps(particles: usize, asked: Option<u64>) -> u64 {
+    let bearable = (4_000_000 / particles.max(1)).clamp(10, 100) as u64;
+    bearable.min(asked.unwrap_or(bearable))
+}
+
+/// Checks that all contenders are in the state of the first: the order of additions alone may differ, which leaves positions
+/// within some roundings of the domain's extent. Gives the largest difference.
+fn verify(contenders: &[Contender], steps: u64) -> Result<f64, LabError> {
+    let reference = contenders[0].simulation.positions();
+    let extent = contenders[0].simulation.extent().into_iter().fold(0.0, f64::max);
+    let bound = 1e-5 * extent;
+    let mut largest = 0.0f64;
+    for contender in &contenders[1..] {
+        let (error, particle) = difference(&reference, &contender.simulation.positions());
+        if error.is_nan() || error > bound {
+            return Err(LabError::failure(format!(
+                "after {steps} steps {} with schedule {} is in another state than {}: particle {particle} differs by {error:.3e}, above {bound:.3e}",
+                contender.layout, contender.named.name, contenders[0].layout
+            )));
+        }
+        largest = largest.max(error);
+    }
+    Ok(largest)
+}
+
+/// The largest difference along an axis, and the particle that has it. What is not a number differs most.
+fn difference(a: &[[f64; 3]], b: &[[f64; 3]]) -> (f64, usize) {
+    let mut largest = (0.0, 0);
+    for (particle, (a, b)) in a.iter().zip(b).enumerate() {
+        for (a, b) in a.iter().zip(b) {
+            let error = (a - b).abs();
+            if error.is_nan() || error > largest.0 {
+                largest = (error, particle);
+            }
+            if error.is_nan() {
+                return largest;
+            }
+        }
+    }
+    largest
+}
+
+/// Rounded to six digits: more are noise, and make the line unreadable.
+fn six_digits(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
+/// The report as people read it.
+fn text(report: &Report, about: &About) -> String {
+    let grid: Vec<String> = report.grid.iter().map(usize::to_string).collect();
+    let mut text = format!(
+        "{} {}: {} particles, {} nodes\n{}, {} threads, {}\n",
+        report.solver,
+        report.scene,
+        report.particles,
+        grid.join(" x "),
+        machine::processor(),
+        report.threads,
+        report.isa
+    );
+    if report.rows.len() > 1 {
+        text += &format!(
+            "all {} end in the same state: positions differ by at most {:.1e} after {} steps\n",
+            report.rows.len(),
+            about.agreement,
+            about.verified
+        );
+    }
+    text += &format!("{} steps each, in {} interleaved repetitions, to {:.4} s\n\n", about.steps, about.repetitions, about.time);
+
+    let kernels: Vec<&str> = report.rows[0].kernels.0.iter().map(|(name, _)| name.as_str()).collect();
+    let mut headline = vec!["layout", "schedule", "ms/step", "spread"];
+    headline.extend(&kernels);
+    headline.extend(["ns/particle", "MiB", "state error", "ratio"]);
+    let best = report.rows.iter().map(|row| row.ms_per_step).fold(f64::INFINITY, f64::min);
+    let mut table = Table::new(headline, 2);
+    for row in &report.rows {
+        let total: f64 = row.kernels.0.iter().map(|(_, time)| time).sum();
+        let mut cells = vec![row.layout.clone(), row.schedule.clone(), four_digits(row.ms_per_step), format!("{:.1} %", 100.0 * row.spread)];
+        cells.extend(row.kernels.0.iter().map(|(_, time)| format!("{:.0} %", 100.0 * time / total)));
+        cells.push(format!("{:.1}", row.ms_per_step * 1e6 / report.particles as f64));
+        cells.push(format!("{:.2}", row.bytes as f64 / f64::from(1 << 20)));
+        cells.push(format!("{:.1e}", row.state_error));
+        cells.push(format!("{:.2}", row.ms_per_step / best));
+        table.row(cells);
+    }
+    text + &table.text()
+}
+
+fn four_digits(value: f64) -> String {
+    let digits = (3 - value.abs().max(1e-9).log10().floor() as i32).clamp(0, 6);
+    format!("{value:.*}", digits as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn differences_find_the_farthest_particle_and_what_is_not_a_number() {
+        let a = [[0.0; 3], [1.0, 2.0, 3.0]];
+        assert_eq!(difference(&a, &[[0.0; 3], [1.0, 2.5, 3.0]]), (0.5, 1));
+        assert_eq!(difference(&a, &a).0, 0.0);
+        assert!(difference(&a, &[[f64::NAN, 0.0, 0.0], [9.0; 3]]).0.is_nan());
+    }
+
+    #[test]
+    fn numbers_are_rounded() {
+        assert_eq!(six_digits(0.123_456_789), 0.123457);
+        assert_eq!(four_digits(0.312_345), "0.3123");
+        assert_eq!(four_digits(41.238), "41.24");
+        assert_eq!(four_digits(0.0), "0.000000");
+    }
+
+    #[test]
+    fn long_steps_are_verified_over_fewer() {
+        assert_eq!(verification_steps(8192, None), 100);
+        assert_eq!(verification_steps(1 << 20, None), 10);
+        assert_eq!(verification_steps(8192, Some(3)), 3);
+    }
+
+    #[test]
+    fn the_report_is_one_line_with_kernels_in_order() {
+        let kernels = Kernels(vec![("scatter".into(), 0.12), ("grid".into(), 0.03), ("gather".into(), 0.15)]);
+        assert_eq!(serde_json::to_string(&kernels).unwrap(), r#"{"scatter":0.12,"grid":0.03,"gather":0.15}"#);
+    }
+}

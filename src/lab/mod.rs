@@ -1,0 +1,12 @@
+//! The laboratory's commands, and what they are made of.
+
+pub mod bench;
+pub mod cli;
+pub mod errors;
+pub mod list;
+pub mod machine;
+pub mod output;
+pub mod render;
+pub mod run;
+pub mod statistics;
+pub mod table;

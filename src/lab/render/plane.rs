@@ -1,0 +1,62 @@
+//! Pictures of a plane: particles as soft splats that flow together, coloured by speed.
+
+use allotrope_solvers::Simulation;
+
+use super::canvas::Canvas;
+use super::colour::{Colour, NIGHT, Scale};
+use super::{Camera, SIDE};
+
+/// Standard deviation of a splat, in distances between particles at rest.
+const WIDTH: f64 = 0.8;
+
+pub(super) fn draw(camera: &Camera, simulation: &dyn Simulation) -> Canvas {
+    let [width, height, _] = simulation.extent();
+    let scale = SIDE as f64 / width.max(height);
+    let (columns, rows) = (((width * scale).round() as usize).max(1), ((height * scale).round() as usize).max(1));
+    let spacing = simulation.spacing() * scale;
+    let deviation = (WIDTH * spacing).max(0.7);
+    let reach = (2.5 * deviation).ceil() as i64;
+
+    // Density of splats in each pixel, and their mean tone times it. A particle at rest adds, over a spacing squared, one.
+    let mut density = vec![0f32; columns * rows];
+    let mut toned = vec![0f32; columns * rows];
+    let unit = spacing * spacing / (2.0 * std::f64::consts::PI * deviation * deviation);
+    for (x, v) in simulation.positions().iter().zip(&simulation.velocities()) {
+        let (column, row) = (x[0] * scale - 0.5, rows as f64 - 0.5 - x[1] * scale);
+        let tone = camera.tone(v);
+        for r in (row.round() as i64 - reach).max(0)..=(row.round() as i64 + reach).min(rows as i64 - 1) {
+            for c in (column.round() as i64 - reach).max(0)..=(column.round() as i64 + reach).min(columns as i64 - 1) {
+                let square = (c as f64 - column).powi(2) + (r as f64 - row).powi(2);
+                let weight = (unit * (-0.5 * square / (deviation * deviation)).exp()) as f32;
+                density[r as usize * columns + c as usize] += weight;
+                toned[r as usize * columns + c as usize] += weight * tone;
+            }
+        }
+    }
+
+    let colours = Scale::new();
+    let night = Colour::hex(NIGHT);
+    let (tank, border) = (Colour::hex(0x141b2d), Colour::hex(0x33415f));
+    let wall = simulation.margin() * scale;
+    let cover = |column: usize, row: usize| 1.0 - (-2.2 * density[row * columns + column]).exp();
+    Canvas::of(columns, rows, |column, row| {
+        // Distance into the tank; its wall is drawn two pixels wide.
+        let inward = [column, columns - 1 - column, row, rows - 1 - row].into_iter().min().unwrap_or(0) as f64 + 0.5 - wall;
+        let back = if inward < -2.0 {
+            night
+        } else if inward < 0.0 {
+            border
+        } else {
+            tank
+        };
+        let here = row * columns + column;
+        if density[here] < 1e-3 {
+            return back;
+        }
+        // Light from above left makes the surface stand out.
+        let (left, right) = (cover(column.saturating_sub(3), row), cover((column + 3).min(columns - 1), row));
+        let (above, below) = (cover(column, row.saturating_sub(3)), cover(column, (row + 3).min(rows - 1)));
+        let light = 1.0 + 0.5 * (right - left + below - above).clamp(-1.0, 1.0);
+        back.mix(colours.at(toned[here] / density[here]) * light, cover(column, row))
+    })
+}

@@ -1,0 +1,310 @@
+//! Pictures of space: particles as balls in a perspective view, their depths smoothed into a surface, which is lit.
+
+use allotrope_solvers::Simulation;
+
+use super::canvas::Canvas;
+use super::colour::{Colour, NIGHT, Scale};
+use super::{Camera, SIDE};
+
+type Vec3 = [f64; 3];
+
+/// Radius of a ball, in distances between particles at rest: neighbours overlap.
+const RADIUS: f64 = 0.95;
+
+/// Depths are smoothed over so many radii of a ball, as they appear, ..
+const SMOOTH: f64 = 1.6;
+
+/// .. but not where they differ by more than so many radii.
+const EDGE: f64 = 3.0;
+
+pub(super) fn draw(camera: &Camera, simulation: &dyn Simulation) -> Canvas {
+    let view = View::new(simulation);
+    let (positions, velocities) = (simulation.positions(), simulation.velocities());
+    let radius = RADIUS * simulation.spacing();
+
+    let mut surface = Surface::new(&view);
+    for (x, v) in positions.iter().zip(&velocities) {
+        surface.splat(&view, *x, radius, camera.tone(v));
+    }
+    surface.smooth(&view, radius);
+
+    let shadow = Shadow::new(simulation, &positions);
+    let mut canvas = Canvas::of(view.columns, view.rows, |column, row| shade(&view, &surface, &shadow, column, row));
+    for (from, to) in view.edges() {
+        draw_line(&mut canvas, &view, &surface, from, to);
+    }
+    canvas.halved()
+}
+
+fn minus(a: Vec3, b: Vec3) -> Vec3 {
+    std::array::from_fn(|axis| a[axis] - b[axis])
+}
+
+fn plus(a: Vec3, b: Vec3, factor: f64) -> Vec3 {
+    std::array::from_fn(|axis| a[axis] + factor * b[axis])
+}
+
+fn dot(a: Vec3, b: Vec3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: Vec3, b: Vec3) -> Vec3 {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn unit(a: Vec3) -> Vec3 {
+    let length = dot(a, a).sqrt().max(1e-30);
+    a.map(|component| component / length)
+}
+
+/// The eye, and the picture plane.
+struct View {
+    columns: usize,
+    rows: usize,
+    eye: Vec3,
+    right: Vec3,
+    up: Vec3,
+    ahead: Vec3,
+    /// Pixels of a length that is as far off as it is long.
+    focus: f64,
+    /// The inner corners of the tank.
+    low: Vec3,
+    high: Vec3,
+}
+
+impl View {
+    /// From before, above and a little to the side, the whole tank in sight. The second axis points upwards.
+    fn new(simulation: &dyn Simulation) -> Self {
+        let (extent, margin) = (simulation.extent(), simulation.margin());
+        let (low, high) = ([margin; 3], extent.map(|side| side - margin));
+        let center: Vec3 = std::array::from_fn(|axis| 0.5 * extent[axis]);
+        let size = 0.5 * dot(extent, extent).sqrt();
+        let toward = unit([0.42, 0.40, 1.0]);
+        let eye = plus(center, toward, 3.2 * size);
+        let ahead = toward.map(|component| -component);
+        let right = unit(cross(ahead, [0.0, 1.0, 0.0]));
+        let up = cross(right, ahead);
+        // Twice the size of the picture, for smooth edges.
+        let (columns, rows) = (2 * SIDE, 2 * SIDE * 7 / 8);
+        let mut view = Self { columns, rows, eye, right, up, ahead, focus: 1.0, low, high };
+        // The focus that makes the farthest corner just fit.
+        let corners = view.corners();
+        let spans = corners.iter().map(|&corner| {
+            let (x, y, depth) = view.turned(corner);
+            (x.abs() / depth / (0.47 * columns as f64)).max(y.abs() / depth / (0.47 * rows as f64))
+        });
+        view.focus = 1.0 / spans.fold(0.0, f64::max);
+        view
+    }
+
+    /// Right of, above and ahead of the eye.
+    fn turned(&self, x: Vec3) -> (f64, f64, f64) {
+        let arm = minus(x, self.eye);
+        (dot(arm, self.right), dot(arm, self.up), dot(arm, self.ahead))
+    }
+
+    /// Column, row and depth.
+    fn project(&self, x: Vec3) -> (f64, f64, f64) {
+        let (right, up, depth) = self.turned(x);
+        let scale = self.focus / depth;
+        (0.5 * self.columns as f64 + right * scale, 0.5 * self.rows as f64 - up * scale, depth)
+    }
+
+    /// The direction in which a pixel looks, one long along the view.
+    fn ray(&self, column: f64, row: f64) -> Vec3 {
+        let (x, y) = ((column - 0.5 * self.columns as f64) / self.focus, (0.5 * self.rows as f64 - row) / self.focus);
+        plus(plus(self.ahead, self.right, x), self.up, y)
+    }
+
+    fn corners(&self) -> [Vec3; 8] {
+        std::array::from_fn(|n| std::array::from_fn(|axis| if n >> axis & 1 == 0 { self.low[axis] } else { self.high[axis] }))
+    }
+
+    /// The edges of the tank that lie behind the fluid: those which do not meet the corner next to the eye.
+    fn edges(&self) -> Vec<(Vec3, Vec3)> {
+        let corners = self.corners();
+        let near = (0..8).min_by(|&a, &b| self.turned(corners[a]).2.total_cmp(&self.turned(corners[b]).2)).unwrap_or(0);
+        let edges = (0..8usize).flat_map(|a| (0..3).map(move |axis| (a, a | 1 << axis))).filter(|(a, b)| a != b);
+        edges.filter(|&(a, b)| a != near && b != near).map(|(a, b)| (corners[a], corners[b])).collect()
+    }
+}
+
+/// The nearest fluid in each pixel.
+struct Surface {
+    /// Infinite where there is none.
+    depth: Vec<f32>,
+    tone: Vec<f32>,
+}
+
+impl Surface {
+    fn new(view: &View) -> Self {
+        Self { depth: vec![f32::INFINITY; view.columns * view.rows], tone: vec![0.0; view.columns * view.rows] }
+    }
+
+    fn splat(&mut self, view: &View, x: Vec3, radius: f64, tone: f32) {
+        let (column, row, depth) = view.project(x);
+        let size = radius * view.focus / depth;
+        let clip = |middle: f64, end: usize| {
+            ((middle - size).ceil().max(0.0) as usize)..((middle + size).floor() + 1.0).clamp(0.0, end as f64) as usize
+        };
+        for r in clip(row, view.rows) {
+            for c in clip(column, view.columns) {
+                let square = ((c as f64 - column).powi(2) + (r as f64 - row).powi(2)) / (size * size);
+                if square < 1.0 {
+                    let here = (depth - radius * (1.0 - square).sqrt()) as f32;
+                    let pixel = r * view.columns + c;
+                    if here < self.depth[pixel] {
+                        self.depth[pixel] = here;
+                        self.tone[pixel] = tone;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Smooths depths and tones along rows, then columns, twice, but not over edges.
+    fn smooth(&mut self, view: &View, radius: f64) {
+        let (_, _, middle) = view.project(view.low.map(|low| low + 0.5));
+        let reach = ((SMOOTH * radius * view.focus / middle).ceil() as usize).clamp(1, 24);
+        let edge = (EDGE * radius) as f32;
+        for _ in 0..2 {
+            self.pass(reach, edge, 1, view.columns);
+            self.pass(reach, edge, view.columns, view.rows);
+        }
+    }
+
+    /// One pass along lines of `count` pixels that lie `stride` apart.
+    fn pass(&mut self, reach: usize, edge: f32, stride: usize, count: usize) {
+        let weights: Vec<f32> = (0..=reach).map(|n| (-2.0 * (n as f32 / reach as f32).powi(2)).exp()).collect();
+        let (depth, tone) = (self.depth.clone(), self.tone.clone());
+        for pixel in (0..depth.len()).filter(|&pixel| depth[pixel].is_finite()) {
+            let place = pixel / stride % count;
+            let (mut total, mut depths, mut tones) = (0.0, 0.0, 0.0);
+            for n in place.saturating_sub(reach)..=(place + reach).min(count - 1) {
+                let other = pixel + n * stride - place * stride;
+                if (depth[other] - depth[pixel]).abs() < edge {
+                    let weight = weights[n.abs_diff(place)];
+                    total += weight;
+                    depths += weight * (depth[other] - depth[pixel]);
+                    tones += weight * tone[other];
+                }
+            }
+            self.depth[pixel] = depth[pixel] + depths / total;
+            self.tone[pixel] = tones / total;
+        }
+    }
+
+    /// The surface's normal in a pixel, by the smaller of the differences to both sides.
+    fn normal(&self, view: &View, column: usize, row: usize) -> Vec3 {
+        let at = |c: usize, r: usize| {
+            let ray = view.ray(c as f64, r as f64);
+            plus(view.eye, ray, f64::from(self.depth[r * view.columns + c]))
+        };
+        let here = at(column, row);
+        let smaller = |a: Vec3, b: Vec3| if dot(a, a) <= dot(b, b) || !dot(b, b).is_finite() { a } else { b };
+        let (c, r) = (column.clamp(1, view.columns - 2), row.clamp(1, view.rows - 2));
+        let across = smaller(minus(at(c + 1, row), here), minus(here, at(c - 1, row)));
+        let down = smaller(minus(at(column, r + 1), here), minus(here, at(column, r - 1)));
+        let normal = unit(cross(down, across));
+        if normal.iter().all(|component| component.is_finite()) { normal } else { view.ahead.map(|component| -component) }
+    }
+}
+
+/// How much of the light from above each place of the floor misses.
+struct Shadow {
+    cells: usize,
+    low: Vec3,
+    size: Vec3,
+    cover: Vec<f32>,
+}
+
+impl Shadow {
+    fn new(simulation: &dyn Simulation, positions: &[Vec3]) -> Self {
+        const CELLS: usize = 96;
+        let (margin, extent) = (simulation.margin(), simulation.extent());
+        let size = extent.map(|side| side - 2.0 * margin);
+        let mut shadow = Self { cells: CELLS, low: [margin; 3], size, cover: vec![0.0; CELLS * CELLS] };
+        let share = (simulation.spacing().powi(2) * (CELLS * CELLS) as f64 / (size[0] * size[2])) as f32;
+        for x in positions {
+            let (i, k) = shadow.cell(*x);
+            if (0.0..CELLS as f64).contains(&i) && (0.0..CELLS as f64).contains(&k) {
+                shadow.cover[i as usize * CELLS + k as usize] += share;
+            }
+        }
+        shadow.blur();
+        shadow
+    }
+
+    fn cell(&self, x: Vec3) -> (f64, f64) {
+        let along = |axis: usize| (x[axis] - self.low[axis]) / self.size[axis] * self.cells as f64;
+        (along(0), along(2))
+    }
+
+    fn blur(&mut self) {
+        for stride in [1, self.cells, 1, self.cells] {
+            let before = self.cover.clone();
+            for (n, cover) in self.cover.iter_mut().enumerate() {
+                let place = n / stride % self.cells;
+                let range = place.saturating_sub(2)..=(place + 2).min(self.cells - 1);
+                *cover = range.clone().map(|other| before[n + other * stride - place * stride]).sum::<f32>() / range.count() as f32;
+            }
+        }
+    }
+
+    /// The light that arrives at a place of the floor.
+    fn light(&self, x: Vec3) -> f32 {
+        let (i, k) = self.cell(x);
+        let at = |i: f64, k: f64| {
+            let (i, k) = (i.clamp(0.0, (self.cells - 1) as f64) as usize, k.clamp(0.0, (self.cells - 1) as f64) as usize);
+            self.cover[i * self.cells + k]
+        };
+        let (i, k) = (i - 0.5, k - 0.5);
+        let (fi, fk) = ((i - i.floor()) as f32, (k - k.floor()) as f32);
+        let row = |i: f64| at(i, k.floor()) * (1.0 - fk) + at(i, k.floor() + 1.0) * fk;
+        let cover = row(i.floor()) * (1.0 - fi) + row(i.floor() + 1.0) * fi;
+        0.25 + 0.75 * (-0.9 * cover).exp()
+    }
+}
+
+/// The colour of a pixel: fluid, else the floor, else the background.
+fn shade(view: &View, surface: &Surface, shadow: &Shadow, column: usize, row: usize) -> Colour {
+    let ray = view.ray(column as f64, row as f64);
+    let depth = surface.depth[row * view.columns + column];
+    if depth.is_finite() {
+        let sun = unit([-0.5, 1.0, 0.55]);
+        let normal = surface.normal(view, column, row);
+        let to_eye = unit(ray).map(|component| -component);
+        let half = unit(plus(sun, to_eye, 1.0));
+        let facing = dot(normal, to_eye).clamp(0.0, 1.0);
+        let diffuse = (0.5 + 0.5 * dot(normal, sun)).clamp(0.0, 1.0).powi(2) as f32;
+        let glint = dot(normal, half).max(0.0).powi(60) as f32;
+        let rim = (1.0 - facing).powi(4) as f32;
+        let colour = Scale::new().at(surface.tone[row * view.columns + column]);
+        let sky = Colour::hex(0x9fc4ff);
+        return colour * (0.18 + 0.95 * diffuse) + Colour([1.0; 3]) * (0.45 * glint) + sky * (0.25 * rim);
+    }
+    let background = Colour::hex(NIGHT).mix(Colour::hex(0x1a2338), 1.0 - row as f32 / view.rows as f32);
+    let distance = (view.low[1] - view.eye[1]) / ray[1];
+    let floor = plus(view.eye, ray, distance);
+    let on_floor = distance > 0.0 && [0, 2].into_iter().all(|axis| (view.low[axis]..=view.high[axis]).contains(&floor[axis]));
+    if on_floor { Colour::hex(0x46536e) * shadow.light(floor) } else { background }
+}
+
+/// A line of the tank, two of the large pixels wide, where no fluid hides it.
+fn draw_line(canvas: &mut Canvas, view: &View, surface: &Surface, from: Vec3, to: Vec3) {
+    let colour = Colour::hex(0x5f7196);
+    let (a, b) = (view.project(from), view.project(to));
+    let steps = (2.0 * (a.0 - b.0).hypot(a.1 - b.1)).ceil().max(1.0) as usize;
+    for n in 0..=steps {
+        let (column, row, depth) = view.project(plus(from, minus(to, from), n as f64 / steps as f64));
+        for (c, r) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
+            let (column, row) = (column as i64 + c, row as i64 + r);
+            if (0..view.columns as i64).contains(&column) && (0..view.rows as i64).contains(&row) {
+                let pixel = row as usize * view.columns + column as usize;
+                if f64::from(surface.depth[pixel]) > depth {
+                    canvas.pixels[pixel] = colour;
+                }
+            }
+        }
+    }
+}

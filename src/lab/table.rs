@@ -1,0 +1,49 @@
+//! Tables of text.
+
+/// Rows of text in aligned columns: the first columns to the left, numbers to the right.
+#[derive(Clone, Debug, Default)]
+pub struct Table {
+    rows: Vec<Vec<String>>,
+    left: usize,
+}
+
+impl Table {
+    /// A table with a headline, of which the first `left` columns are aligned to the left.
+    pub fn new(headline: impl IntoIterator<Item = impl Into<String>>, left: usize) -> Self {
+        Self { rows: vec![headline.into_iter().map(Into::into).collect()], left }
+    }
+
+    /// Appends a row.
+    pub fn row(&mut self, cells: impl IntoIterator<Item = impl Into<String>>) {
+        self.rows.push(cells.into_iter().map(Into::into).collect());
+    }
+
+    /// The table's lines, each ended.
+    pub fn text(&self) -> String {
+        let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0);
+        let width = |column: usize| self.rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max();
+        let widths: Vec<usize> = (0..columns).map(|column| width(column).unwrap_or(0)).collect();
+        let mut text = String::new();
+        for row in &self.rows {
+            let cells = row.iter().zip(&widths).enumerate().map(|(column, (cell, width))| {
+                if column < self.left { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
+            });
+            text.push_str(cells.collect::<Vec<_>>().join("  ").trim_end());
+            text.push('\n');
+        }
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_aligned() {
+        let mut table = Table::new(["layout", "ms"], 1);
+        table.row(["aos", "10.5"]);
+        table.row(["aosoa16", "9"]);
+        assert_eq!(table.text(), "layout     ms\naos      10.5\naosoa16     9\n");
+    }
+}

@@ -1,0 +1,65 @@
+//! The fluid against a reference in double precision, in every layout, schedule and instruction set.
+
+mod support;
+
+use allotrope::prelude::*;
+use support::*;
+
+/// After so many steps every coordinate is within this of the reference.
+const BOUNDS: [(u64, f64); 3] = [(100, 1e-6), (500, 1e-5), (1000, 2e-4)];
+
+fn follows_the_reference(schedule: Schedule) {
+    let expected: Vec<_> = BOUNDS.iter().map(|(step, _)| reference_positions(&format!("x{step}"))).collect();
+    let scene = mpm88();
+    for cpu in instruction_sets() {
+        for layout in layouts() {
+            let mut fluid = build(&scene, layout);
+            for ((step, bound), expected) in BOUNDS.iter().zip(&expected) {
+                let left = step - fluid.steps();
+                advance(&mut *fluid, Schedule { cpu: Some(cpu), ..schedule }, left);
+                let error = difference(&fluid.positions(), expected);
+                assert!(error <= *bound, "{layout}, {cpu}, {schedule:?}: off by {error:.2e} after {step} steps");
+            }
+        }
+    }
+}
+
+#[test]
+fn serial() {
+    follows_the_reference(Schedule { scatter: Scatter::Serial, threads: 2, ..Schedule::default() });
+}
+
+#[test]
+fn private() {
+    follows_the_reference(Schedule { scatter: Scatter::Private, threads: 2, ..Schedule::default() });
+}
+
+#[test]
+fn atomic() {
+    follows_the_reference(Schedule { scatter: Scatter::Atomic, threads: 2, ..Schedule::default() });
+}
+
+#[test]
+fn deterministic() {
+    follows_the_reference(Schedule { scatter: Scatter::Private, threads: 2, deterministic: true, ..Schedule::default() });
+}
+
+#[test]
+fn the_first_step_and_volumes_are_the_references_too() {
+    let mut fluid = build(&mpm88(), "aos+row");
+    fluid.step().unwrap();
+    assert!(difference(&fluid.positions(), &reference_positions("x1")) < 3e-8);
+}
+
+#[test]
+fn sorting_changes_neither_order_nor_state() {
+    let mut sorted = mpm88();
+    sorted.reorder = 7;
+    for layout in layouts() {
+        let mut fluid = build(&sorted, layout);
+        advance(&mut *fluid, Schedule::default(), 100);
+        let error = difference(&fluid.positions(), &reference_positions("x100"));
+        assert!(error <= 1e-6, "{layout}: off by {error:.2e}");
+        assert_eq!(fluid.kernel_names(), ["scatter", "grid", "gather", "sort"]);
+    }
+}

@@ -1,0 +1,24 @@
+//! Heads and attributes that this version lacks.
+use allotrope::prelude::*;
+
+#[kernel]
+fn wrong(u: &mut Field<f32, _, Ij>, n: i32) {
+    for (i, j) in u.checkerboard(0) {
+        u[(i, j)] = 0.0;
+    }
+    for (i, j) in u.border(1) {
+        u[(i, j)] = 0.0;
+    }
+    #[ordered]
+    for t in 0..n {
+        for ij in u {
+            u[ij] += 1.0;
+        }
+    }
+    #[relaxed]
+    for ij in u {
+        u[ij] = 1.0;
+    }
+}
+
+fn main() {}

@@ -1,0 +1,13 @@
+//! Macros of the standard library are read as expressions.
+use allotrope::prelude::*;
+
+#[kernel]
+fn wrong(u: &mut Field<f32, _>) {
+    for p in u {
+        u[p] = 1.0;
+        println!("{p}: {}", u[p + 1]);
+        assert!(matches!(u[p - 1], x if x > 0.0));
+    }
+}
+
+fn main() {}

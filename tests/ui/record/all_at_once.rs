@@ -1,0 +1,7 @@
+//! All that is wrong with a record is told at once.
+use allotrope::prelude::*;
+
+#[derive(Record, Clone, Copy)]
+struct Pair<T>(T, T);
+
+fn main() {}

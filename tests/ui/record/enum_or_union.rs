@@ -1,0 +1,16 @@
+//! A record has the same members in every element.
+use allotrope::prelude::*;
+
+#[derive(Record, Clone, Copy)]
+enum Material {
+    Fluid { density: f32 },
+    Solid { stiffness: f32 },
+}
+
+#[derive(Record, Clone, Copy)]
+union Bits {
+    float: f32,
+    bits: u32,
+}
+
+fn main() {}

@@ -1,0 +1,10 @@
+//! Kernels name members.
+use allotrope::prelude::*;
+
+#[derive(Record, Clone, Copy)]
+struct Pair(Vec2, f32);
+
+#[derive(Record, Clone, Copy)]
+struct Nothing;
+
+fn main() {}

@@ -1,0 +1,19 @@
+//! Fields are taken by reference and by name; only their layout is open.
+use allotrope::prelude::*;
+
+#[kernel]
+fn by_value(u: Field<f32, _>) {}
+
+#[kernel]
+fn without_a_name(_: &Field<f32, _>) {}
+
+#[kernel]
+fn any_record(u: &Field<_, _>) {}
+
+#[kernel]
+fn any_axes(u: &Field<f32, _, _>) {}
+
+#[kernel]
+fn member(u: &Member<f32, _, Ij>) {}
+
+fn main() {}

@@ -1,0 +1,19 @@
+//! Members are checked by rustc, at the user's token.
+use allotrope::prelude::*;
+
+#[derive(Record, Clone, Copy)]
+struct Node {
+    v: Vec2,
+    m: f32,
+}
+
+#[kernel]
+fn wrong(grid: &mut Field<Node, _, Ij>) {
+    for ij in grid {
+        grid.mass[ij] = 1.0; //~ E0609
+        grid.m[ij] = grid.vel[ij].x; //~ E0609
+    }
+    grid.mas[(0, 0)] = 1.0; //~ E0609
+}
+
+fn main() {}
