@@ -17,11 +17,19 @@ const WALL: i32 = 3; // nodes from the border that are solid
 
 /// A material point: position, velocity, velocity gradient, and volume by that at rest.
 #[derive(Record, Clone, Copy, Default)]
-pub struct Point { pub x: Vec2, pub v: Vec2, pub c: Mat2, pub j: f32 }
+pub struct Point {
+    pub x: Vec2,
+    pub v: Vec2,
+    pub c: Mat2,
+    pub j: f32,
+}
 
 /// A grid node: momentum, then velocity, and mass.
 #[derive(Record, Clone, Copy, Default)]
-pub struct Node { pub v: Vec2, pub m: f32 }
+pub struct Node {
+    pub v: Vec2,
+    pub m: f32,
+}
 
 /// The first of a position's 3 x 3 nodes, the distance from it in cells, and the quadratic weights along both axes.
 fn stencil(x: Vec2) -> (IVec2, Vec2, [Vec2; 3]) {
@@ -75,8 +83,8 @@ pub fn blocks<L: Layout<I>>() -> Field<Point, L> {
     let mut points = Field::<Point, L>::new([POINTS]);
     for p in 0..POINTS {
         let unit = (p as f64 * dvec2(0.754_877_666_246_693, 0.569_840_290_998_053)).fract().as_vec2();
-        let corner = if p % 2 == 0 { vec2(0.1, 0.1) } else { vec2(0.5, 0.45) };
-        points.set(p, Point { x: corner + vec2(0.32, 0.4) * unit, v: vec2(0.0, -1.0), c: Mat2::ZERO, j: 1.0 });
+        let corner = if p % 2 == 0 { vec2(0.1, 0.1) } else { vec2(0.5, 0.5) };
+        points.set(p, Point { x: corner + 0.25 * unit, v: vec2(0.0, -1.0), c: Mat2::ZERO, j: 1.0 });
     }
     points
 }

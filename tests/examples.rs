@@ -35,7 +35,7 @@ fn julia_counts() {
     }
 }
 
-/// c is real plus imaginary: turning the plane by half a turn maps the set onto itself.
+/// z² is even: turning the plane by half a turn maps the set onto itself.
 #[test]
 fn julia_is_symmetric() {
     let counts = julia::counts::<Aos>(0.03);
@@ -52,7 +52,7 @@ fn julia_writes_a_picture() {
     let picture = image::open(&file).expect("the picture can be read").to_rgb8();
     assert_eq!(picture.dimensions(), (640, 320));
     // The corner, at the bottom left, took two of fifty iterations.
-    assert_eq!(picture.get_pixel(0, 319).0, [51, 10, 0]);
+    assert_eq!(picture.get_pixel(0, 319).0, [114, 51, 10]);
 }
 
 /// The blocks fall freely until one touches the ground, stay in the tank, and mass on the grid is that of the points.
@@ -73,9 +73,12 @@ fn mpm88_falls_and_stays_inside() {
     assert!((mean(&points, |point| point.x.y) - (start - t - 0.5 * g * t * (t + dt))).abs() < 1e-4);
     let mass: f64 = grid.iter().map(|node| f64::from(node.m)).sum();
     assert!((mass - 8192.0 * 0.25 / (128.0 * 128.0)).abs() < 1e-6, "{mass}");
-    for _ in 0..1900 {
+    for _ in 0..1200 {
         mpm88::step(&mut points, &mut grid);
     }
-    assert!(points.iter().all(|point| point.x.cmpge(Vec2::splat(0.015)).all() && point.x.cmple(Vec2::splat(0.985)).all()));
-    assert!(mean(&points, |point| point.x.y) < 0.2, "the water lies on the ground");
+    // 0.26 s: both would be below the ground by now if it did not bear them.
+    let height = mean(&points, |point| point.x.y);
+    assert!((0.08..0.15).contains(&height), "{height}");
+    let inside = |point: mpm88::Point| point.x.cmpge(Vec2::splat(0.01)).all() && point.x.cmple(Vec2::splat(0.99)).all();
+    assert!(points.iter().all(inside));
 }

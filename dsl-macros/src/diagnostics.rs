@@ -113,6 +113,8 @@ codes! {
     Destructuring = A0221,
     /// A function of the language that is not available yet.
     UnavailableFunction = A0222,
+    /// A `move` closure that accesses fields inside a parallel loop.
+    MoveClosure = A0223,
     /// An enum or a union as a record.
     NotAStruct = A0301,
     /// A record whose members have no names.

@@ -76,6 +76,12 @@ pub unsafe trait Element: Copy + Send + Sync + Sealed + 'static {
     /// Every component's bytes must be writable.
     #[doc(hidden)]
     unsafe fn scatter(self, at: *mut u8, component: usize);
+    /// Combines two elements component by component.
+    #[doc(hidden)]
+    fn combine(a: Self, b: Self, f: impl Fn(Self::Scalar, Self::Scalar) -> Self::Scalar) -> Self;
+    /// The element all of whose components are the same.
+    #[doc(hidden)]
+    fn splat(scalar: Self::Scalar) -> Self;
 }
 
 macro_rules! scalars {
@@ -99,6 +105,14 @@ macro_rules! scalars {
             unsafe fn scatter(self, at: *mut u8, _: usize) {
                 // SAFETY: the caller promises that the bytes are writable.
                 unsafe { at.cast::<Self>().write_unaligned(self) }
+            }
+            #[inline(always)]
+            fn combine(a: Self, b: Self, f: impl Fn(Self, Self) -> Self) -> Self {
+                f(a, b)
+            }
+            #[inline(always)]
+            fn splat(scalar: Self) -> Self {
+                scalar
             }
         }
     )*};
@@ -125,10 +139,11 @@ macro_rules! packed {
                 }
                 let mut value = core::mem::MaybeUninit::<Self>::uninit();
                 let to = value.as_mut_ptr().cast::<$scalar>();
-                for c in 0..$components {
+                times::<$components>(
                     // SAFETY: `c` counts the components of `Self`; the caller promises that each one's source is readable.
-                    unsafe { to.add(c).write(at.add(c * component).cast::<$scalar>().read_unaligned()) };
-                }
+                    #[inline(always)]
+                    |c| unsafe { to.add(c).write(at.add(c * component).cast::<$scalar>().read_unaligned()) },
+                );
                 // SAFETY: all components are written, and `Self` is nothing but its components.
                 unsafe { value.assume_init() }
             }
@@ -139,10 +154,33 @@ macro_rules! packed {
                     return unsafe { at.cast::<Self>().write_unaligned(self) };
                 }
                 let from = (&raw const self).cast::<$scalar>();
-                for c in 0..$components {
+                times::<$components>(
                     // SAFETY: `c` counts the components of `self`; the caller promises that each one's target is writable.
-                    unsafe { at.add(c * component).cast::<$scalar>().write_unaligned(from.add(c).read()) };
-                }
+                    #[inline(always)]
+                    |c| unsafe { at.add(c * component).cast::<$scalar>().write_unaligned(from.add(c).read()) },
+                );
+            }
+            #[inline(always)]
+            fn combine(mut a: Self, b: Self, f: impl Fn($scalar, $scalar) -> $scalar) -> Self {
+                let (left, right) = ((&raw mut a).cast::<$scalar>(), (&raw const b).cast::<$scalar>());
+                times::<$components>(
+                    // SAFETY: `c` counts the components of both.
+                    #[inline(always)]
+                    |c| unsafe { left.add(c).write(f(left.add(c).read(), right.add(c).read())) },
+                );
+                a
+            }
+            #[inline(always)]
+            fn splat(scalar: $scalar) -> Self {
+                let mut value = core::mem::MaybeUninit::<Self>::uninit();
+                let to = value.as_mut_ptr().cast::<$scalar>();
+                times::<$components>(
+                    // SAFETY: `c` counts the components of `Self`.
+                    #[inline(always)]
+                    |c| unsafe { to.add(c).write(scalar) },
+                );
+                // SAFETY: all components are written, and `Self` is nothing but its components.
+                unsafe { value.assume_init() }
             }
         }
     )*};
@@ -172,6 +210,14 @@ unsafe impl Element for glam::Vec3A {
         // SAFETY: as the caller promises for three components.
         unsafe { glam::Vec3::from(self).scatter(at, component) }
     }
+    #[inline(always)]
+    fn combine(a: Self, b: Self, f: impl Fn(f32, f32) -> f32) -> Self {
+        glam::Vec3::combine(a.into(), b.into(), f).into()
+    }
+    #[inline(always)]
+    fn splat(scalar: f32) -> Self {
+        Self::splat(scalar)
+    }
 }
 
 impl<T: Element, const N: usize> Sealed for [T; N] {}
@@ -194,6 +240,29 @@ unsafe impl<T: Element, const N: usize> Element for [T; N] {
             // SAFETY: element `n` begins `n * T::COMPONENTS` components in; the caller promises them all.
             unsafe { value.scatter(at.add(n * T::COMPONENTS * component), component) };
         }
+    }
+    #[inline(always)]
+    fn combine(a: Self, b: Self, f: impl Fn(T::Scalar, T::Scalar) -> T::Scalar) -> Self {
+        core::array::from_fn(
+            #[inline(always)]
+            |n| T::combine(a[n], b[n], &f),
+        )
+    }
+    #[inline(always)]
+    fn splat(scalar: T::Scalar) -> Self {
+        [T::splat(scalar); N]
+    }
+}
+
+/// Calls `f` with 0 to N - 1, written out up to 16: component loops must not be loops.
+#[inline(always)]
+pub(crate) fn times<const N: usize>(mut f: impl FnMut(usize)) {
+    macro_rules! written_out {
+        ($($c:literal)*) => { $(if const { N > $c } { f($c); })* };
+    }
+    written_out!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+    for c in 16..N {
+        f(c);
     }
 }
 

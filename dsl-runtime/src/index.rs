@@ -50,21 +50,21 @@ impl<T: Integer> IntoIndex<I> for T {
         [self.wide(), 0, 0, 0]
     }
 }
-impl<T: Integer> Sealed for (T,) {}
+impl<T> Sealed for (T,) {}
 impl<T: Integer> IntoIndex<I> for (T,) {
     #[inline(always)]
     fn coordinates(self) -> [i64; MAX_AXES] {
         [self.0.wide(), 0, 0, 0]
     }
 }
-impl<T: Integer, U: Integer> Sealed for (T, U) {}
+impl<T, U> Sealed for (T, U) {}
 impl<T: Integer, U: Integer> IntoIndex<Ij> for (T, U) {
     #[inline(always)]
     fn coordinates(self) -> [i64; MAX_AXES] {
         [self.0.wide(), self.1.wide(), 0, 0]
     }
 }
-impl<T: Integer, U: Integer, V: Integer> Sealed for (T, U, V) {}
+impl<T, U, V> Sealed for (T, U, V) {}
 impl<T: Integer, U: Integer, V: Integer> IntoIndex<Ijk> for (T, U, V) {
     #[inline(always)]
     fn coordinates(self) -> [i64; MAX_AXES] {
@@ -73,13 +73,15 @@ impl<T: Integer, U: Integer, V: Integer> IntoIndex<Ijk> for (T, U, V) {
 }
 
 macro_rules! vectors {
+    (@place x) => { 0 };
+    (@place y) => { 1 };
+    (@place z) => { 2 };
     ($($vector:ty => $axes:ty, $($component:ident)*;)*) => {$(
         impl IntoIndex<$axes> for $vector {
             #[inline(always)]
             fn coordinates(self) -> [i64; MAX_AXES] {
                 let mut at = [0; MAX_AXES];
-                let parts = [$(i64::from(self.$component)),*];
-                at[..parts.len()].copy_from_slice(&parts);
+                $(at[vectors!(@place $component)] = i64::from(self.$component);)*
                 at
             }
         }

@@ -1,7 +1,5 @@
 //! Operators of accumulation and reduction, component by component.
 
-use core::mem::MaybeUninit;
-
 use crate::element::{Element, Scalar, Sealed};
 
 /// A scalar that can be accumulated. Integers wrap around; NaN never wins a minimum or maximum.
@@ -192,74 +190,18 @@ operators! {
 /// The element whose components are the operator's identity.
 #[inline(always)]
 pub(crate) fn identity<O: Operator<E::Scalar>, E: Element>() -> E {
-    splat(O::IDENTITY)
-}
-
-/// The element all of whose components are `scalar`.
-#[inline(always)]
-pub(crate) fn splat<E: Element>(scalar: E::Scalar) -> E {
-    build(
-        #[inline(always)]
-        |_| scalar,
-    )
+    E::splat(O::IDENTITY)
 }
 
 /// Applies an operator component by component.
 #[inline(always)]
 pub(crate) fn zip<O: Operator<E::Scalar>, E: Element>(a: E, b: E) -> E {
-    combine::<E>(
+    E::combine(
         a,
         b,
         #[inline(always)]
         |a, b| O::apply(a, b),
     )
-}
-
-/// Combines two elements component by component.
-#[inline(always)]
-pub(crate) fn combine<E: Element>(a: E, b: E, f: impl Fn(E::Scalar, E::Scalar) -> E::Scalar) -> E {
-    // Scattered to plain arrays: `Vec3A` and arrays of it are not packed.
-    let (mut left, mut right) = (Components::<E>::new(), Components::<E>::new());
-    // SAFETY: both buffers hold as many scalars as `E` has components.
-    unsafe {
-        a.scatter(left.start(), size_of::<E::Scalar>());
-        b.scatter(right.start(), size_of::<E::Scalar>());
-    }
-    for c in 0..E::COMPONENTS {
-        // SAFETY: `c` counts the components, all of which were written just now.
-        unsafe {
-            let (l, r) = (left.start().cast::<E::Scalar>().add(c), right.start().cast::<E::Scalar>().add(c));
-            l.write_unaligned(f(l.read_unaligned(), r.read_unaligned()));
-        }
-    }
-    // SAFETY: all components are written.
-    unsafe { E::gather(left.start(), size_of::<E::Scalar>()) }
-}
-
-#[inline(always)]
-fn build<E: Element>(f: impl Fn(usize) -> E::Scalar) -> E {
-    let mut buffer = Components::<E>::new();
-    for c in 0..E::COMPONENTS {
-        // SAFETY: `c` counts the components, for which the buffer has room.
-        unsafe { buffer.start().cast::<E::Scalar>().add(c).write_unaligned(f(c)) };
-    }
-    // SAFETY: all components are written.
-    unsafe { E::gather(buffer.start(), size_of::<E::Scalar>()) }
-}
-
-/// Room for the components of one element, together. An element is at least as large as its components.
-struct Components<E>(MaybeUninit<E>);
-
-impl<E: Element> Components<E> {
-    #[inline(always)]
-    fn new() -> Self {
-        const { assert!(size_of::<E>() >= E::COMPONENTS * size_of::<E::Scalar>()) }
-        Self(MaybeUninit::uninit())
-    }
-    #[inline(always)]
-    fn start(&mut self) -> *mut u8 {
-        self.0.as_mut_ptr().cast()
-    }
 }
 
 /// `a *= b` by components: scalars by scalars, vectors by vectors or scalars. Matrix products are none.
@@ -290,7 +232,7 @@ macro_rules! component_mul {
             impl ComponentMul<$scalar> for $vector {
                 #[inline(always)]
                 fn factor(by: $scalar) -> Self {
-                    splat(by)
+                    <$vector as Element>::splat(by)
                 }
             }
         )*

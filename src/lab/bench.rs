@@ -18,6 +18,9 @@ use super::table::Table;
 /// Repetitions, if there are steps enough.
 const REPETITIONS: u64 = 11;
 
+/// Repetitions at least, where each must be long enough for its share of sorts.
+const LEAST_REPETITIONS: u64 = 5;
+
 /// What is to be compared.
 #[derive(Debug)]
 pub struct Plan {
@@ -67,7 +70,7 @@ pub struct Row {
     pub ms_per_step: f64,
     /// Interquartile range of the time a step over its median.
     pub spread: f64,
-    /// Milliseconds a step in each kernel.
+    /// Median time a step in each kernel.
     pub kernels: Kernels,
     /// Bytes of all fields.
     pub bytes: usize,
@@ -104,17 +107,30 @@ struct Contender {
     simulation: Box<dyn Simulation>,
     /// Milliseconds a step of each repetition.
     samples: Vec<f64>,
-    /// In each kernel, over all repetitions.
-    spent: Vec<Duration>,
+    /// The same in each kernel.
+    kernels: Vec<Vec<f64>>,
 }
 
 impl Contender {
-    fn advance(&mut self, steps: u64) -> Result<Duration, LabError> {
-        let Self { simulation, spent, schedule, layout, named, .. } = self;
+    /// Takes some steps; gives their time, and that in each kernel.
+    fn advance(&mut self, steps: u64) -> Result<(Duration, Vec<Duration>), LabError> {
+        let Self { simulation, schedule, layout, named, .. } = self;
+        let mut spent = vec![Duration::ZERO; simulation.kernel_names().len()];
         let start = Instant::now();
-        let done = schedule.run(|| (0..steps).try_for_each(|_| simulation.step_timed(spent)));
+        let done = schedule.run(|| (0..steps).try_for_each(|_| simulation.step_timed(&mut spent)));
         done.map_err(|error| LabError::failure(format!("{layout} with schedule {}: {error}", named.name)))?;
-        Ok(start.elapsed())
+        Ok((start.elapsed(), spent))
+    }
+
+    /// Takes some steps as one repetition.
+    fn repeat(&mut self, steps: u64) -> Result<(), LabError> {
+        let (time, spent) = self.advance(steps)?;
+        let each = |time: Duration| time.as_secs_f64() * 1e3 / steps as f64;
+        self.samples.push(each(time));
+        for (samples, time) in self.kernels.iter_mut().zip(spent) {
+            samples.push(each(time));
+        }
+        Ok(())
     }
 }
 
@@ -151,9 +167,9 @@ fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
     for &layout in &plan.layouts {
         for &named in &plan.schedules {
             let simulation = (plan.solver.build)(&plan.scene, layout)?;
-            let spent = vec![Duration::ZERO; simulation.kernel_names().len()];
+            let kernels = vec![Vec::new(); simulation.kernel_names().len()];
             let schedule = named.with_threads(plan.threads);
-            contenders.push(Contender { layout, named, schedule, simulation, samples: Vec::new(), spent });
+            contenders.push(Contender { layout, named, schedule, simulation, samples: Vec::new(), kernels });
         }
     }
 
@@ -162,29 +178,24 @@ fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
     let verified = verification_steps(contenders[0].simulation.particles(), plan.steps);
     let mut warm = Duration::ZERO;
     for contender in &mut contenders {
-        warm += contender.advance(verified)?;
-        contender.spent.fill(Duration::ZERO);
+        warm += contender.advance(verified)?.0;
         bar.tick();
     }
     let agreement = verify(&contenders, verified)?;
 
-    let each = warm.as_secs_f64() / verified as f64;
-    let affordable = ((20.0 / each) as u64).clamp(REPETITIONS, 1100);
-    let steps = plan.steps.unwrap_or(affordable);
-    let repetitions = REPETITIONS.min(steps);
+    let pieces = pieces(warm.as_secs_f64() / verified as f64, plan.steps, plan.scene.reorder);
+    let (repetitions, steps) = (pieces.len() as u64, pieces.iter().sum());
     let style = ProgressStyle::with_template("{bar:40} repetition {pos}/{len}, {eta} left");
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
     bar.set_length(repetitions);
-    for repetition in 0..repetitions {
-        let piece = steps * (repetition + 1) / repetitions - steps * repetition / repetitions;
+    for (repetition, &piece) in pieces.iter().enumerate() {
         // Each begins a round in turn, so that none always follows the same one.
-        let first = repetition as usize % contenders.len();
+        let first = repetition % contenders.len();
         for n in 0..contenders.len() {
-            let n = (first + n) % contenders.len();
-            let time = contenders[n].advance(piece)?;
-            contenders[n].samples.push(time.as_secs_f64() * 1e3 / piece as f64);
+            let next = (first + n) % contenders.len();
+            contenders[next].repeat(piece)?;
         }
-        bar.set_position(repetition + 1);
+        bar.inc(1);
     }
     bar.finish_and_clear();
 
@@ -197,15 +208,15 @@ fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
         grid: simulation.grid_shape(),
         threads: machine::threads(plan.threads),
         isa: machine::instruction_set(),
-        rows: contenders.iter().map(|contender| row(contender, steps, &reference)).collect(),
+        rows: contenders.iter().map(|contender| row(contender, &reference)).collect(),
     };
     Ok((report, About { verified, agreement, repetitions, steps, time: simulation.time() }))
 }
 
-fn row(contender: &Contender, steps: u64, reference: &[[f64; 3]]) -> Row {
-    let Contender { layout, named, simulation, samples, spent, .. } = contender;
+fn row(contender: &Contender, reference: &[[f64; 3]]) -> Row {
+    let Contender { layout, named, simulation, samples, kernels, .. } = contender;
     let names = simulation.kernel_names().iter().map(|name| name.to_string());
-    let times = spent.iter().map(|time| six_digits(time.as_secs_f64() * 1e3 / steps as f64));
+    let times = kernels.iter().map(|samples| six_digits(median(samples)));
     Row {
         layout: layout.to_string(),
         schedule: named.name.to_string(),
@@ -215,6 +226,26 @@ fn row(contender: &Contender, steps: u64, reference: &[[f64; 3]]) -> Row {
         bytes: simulation.bytes(),
         state_error: six_digits(difference(reference, &simulation.positions()).0),
     }
+}
+
+/// The steps of each repetition, where a step of all contenders takes `each` seconds: as many as are asked for, or what takes
+/// about 20 seconds. Where particles are sorted every so many steps, each repetition has whole such rounds, so that it has its
+/// share of sorts.
+fn pieces(each: f64, asked: Option<u64>, reorder: u64) -> Vec<u64> {
+    let sorted = reorder > 1 && asked.is_none_or(|steps| steps >= reorder);
+    let round = if sorted { reorder } else { 1 };
+    let affordable = || {
+        let least = if sorted { LEAST_REPETITIONS } else { REPETITIONS };
+        ((20.0 / each) as u64 / round).min(1100 / round).max(least) * round
+    };
+    let steps = asked.unwrap_or_else(affordable);
+    let rounds = steps / round;
+    let repetitions = REPETITIONS.min(rounds);
+    let mut pieces: Vec<u64> = (0..repetitions).map(|n| (rounds * (n + 1) / repetitions - rounds * n / repetitions) * round).collect();
+    if let Some(last) = pieces.last_mut() {
+        *last += steps % round;
+    }
+    pieces
 }
 
 /// Steps after which the states are compared: 100, fewer where a step is long, and no more than are asked for.
@@ -337,6 +368,18 @@ mod tests {
         assert_eq!(verification_steps(8192, None), 100);
         assert_eq!(verification_steps(1 << 20, None), 10);
         assert_eq!(verification_steps(8192, Some(3)), 3);
+    }
+
+    #[test]
+    fn repetitions_take_the_steps_asked_for_in_whole_rounds() {
+        assert_eq!(pieces(1.0, Some(25), 0), [2, 2, 2, 3, 2, 2, 3, 2, 2, 2, 3]);
+        assert_eq!(pieces(1.0, Some(3), 0), [1, 1, 1]);
+        assert_eq!(pieces(1.0, Some(3), 32), [1, 1, 1]);
+        assert_eq!(pieces(1.0, Some(70), 32), [32, 38]);
+        assert_eq!(pieces(1.0, None, 32), [32; 5]);
+        assert_eq!(pieces(10.0, None, 0), [1; 11]);
+        assert_eq!(pieces(1e-6, None, 0), [100; 11]);
+        assert_eq!(pieces(1e-6, None, 32).iter().sum::<u64>(), 34 * 32);
     }
 
     #[test]

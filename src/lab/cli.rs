@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use allotrope::MAX_THREADS;
-use allotrope_solvers::{Scene, SolverInfo};
+use allotrope_solvers::{Scene, SolverInfo, nearest};
 use clap::error::{ContextKind, ErrorKind};
 use clap::{Args, Parser, Subcommand};
 
@@ -92,6 +92,8 @@ struct What {
     steps: Option<u64>,
 }
 
+const COMMANDS: [&str; 3] = ["list", "run", "bench"];
+
 fn count(text: &str) -> Result<usize, String> {
     match text.parse() {
         Ok(0) => Err("it must be at least 1".into()),
@@ -174,7 +176,8 @@ fn brief(error: &clap::Error) -> String {
     let near = [ContextKind::SuggestedArg, ContextKind::SuggestedSubcommand, ContextKind::SuggestedValue]
         .into_iter()
         .find_map(|kind| error.get(kind))
-        .map(|near| near.to_string());
+        .map(|near| near.to_string())
+        .or_else(|| nearest(&error.get(ContextKind::InvalidSubcommand)?.to_string(), COMMANDS).map(str::to_string));
     match near {
         Some(near) => format!("{message}; did you mean `{near}`?"),
         None if error.kind() == ErrorKind::ValueValidation => message,
@@ -244,6 +247,8 @@ mod tests {
     fn the_command_line_is_consistent() {
         use clap::CommandFactory;
         Cli::command().debug_assert();
+        let names: Vec<_> = Cli::command().get_subcommands().map(|command| command.get_name().to_string()).collect();
+        assert_eq!(names, COMMANDS);
     }
 
     #[test]

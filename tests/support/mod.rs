@@ -9,7 +9,7 @@ use allotrope_solvers::scene::{Folder, Shape};
 use allotrope_solvers::{Scene, Simulation, SolverInfo, solver};
 
 /// An array of the reference data, as `f64`; its members `x0` and so on are NumPy's `.npy`, version 1, of little-endian floats.
-pub fn reference(name: &str) -> Vec<f64> {
+pub(crate) fn reference(name: &str) -> Vec<f64> {
     let file = std::fs::File::open(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/mpm88.npz")).unwrap();
     let mut archive = zip::ZipArchive::new(file).unwrap();
     let mut bytes = Vec::new();
@@ -27,44 +27,44 @@ pub fn reference(name: &str) -> Vec<f64> {
 }
 
 /// Positions of the reference data.
-pub fn reference_positions(name: &str) -> Vec<[f64; 3]> {
+pub(crate) fn reference_positions(name: &str) -> Vec<[f64; 3]> {
     reference(name).as_chunks().0.iter().map(|&[x, y]| [x, y, 0.0]).collect()
 }
 
-pub fn mpm() -> &'static SolverInfo {
+pub(crate) fn mpm() -> &'static SolverInfo {
     solver("mpm").unwrap()
 }
 
 /// The scene `mpm88` with the start positions of the reference data.
-pub fn mpm88() -> Scene {
+pub(crate) fn mpm88() -> Scene {
     let mut scene = mpm().scene("mpm88").unwrap();
     scene.bodies[0].shape = Shape::Points(reference_positions("x0"));
     scene
 }
 
-pub fn scene(text: &str) -> Scene {
+pub(crate) fn scene(text: &str) -> Scene {
     Scene::parse(text, "test", Folder::BuiltIn).unwrap()
 }
 
-pub fn build(scene: &Scene, layout: &str) -> Box<dyn Simulation> {
+pub(crate) fn build(scene: &Scene, layout: &str) -> Box<dyn Simulation> {
     (mpm().build)(scene, layout).unwrap()
 }
 
-pub fn layouts() -> impl Iterator<Item = &'static str> {
+pub(crate) fn layouts() -> impl Iterator<Item = &'static str> {
     mpm().layouts.iter().map(|layout| layout.name)
 }
 
 /// The instruction sets that this machine has.
-pub fn instruction_sets() -> Vec<Cpu> {
+pub(crate) fn instruction_sets() -> Vec<Cpu> {
     [Cpu::Baseline, Cpu::Avx2, Cpu::Avx512].into_iter().filter(|cpu| cpu.available()).collect()
 }
 
-pub fn advance(simulation: &mut dyn Simulation, schedule: Schedule, steps: u64) {
+pub(crate) fn advance(simulation: &mut dyn Simulation, schedule: Schedule, steps: u64) {
     schedule.run(|| (0..steps).try_for_each(|_| simulation.step())).unwrap();
 }
 
 /// The largest difference along an axis.
-pub fn difference(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
+pub(crate) fn difference(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     assert_eq!(a.len(), b.len());
     let differences = a.iter().flatten().zip(b.iter().flatten()).map(|(a, b)| (a - b).abs());
     differences.fold(0.0, |largest, difference| if difference > largest || difference.is_nan() { difference } else { largest })

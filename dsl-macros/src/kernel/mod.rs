@@ -12,25 +12,38 @@ mod text;
 mod tests;
 
 use proc_macro2::TokenStream;
+use quote::quote;
 
 use crate::diagnostics::Diagnostics;
 
 /// The environment variable that names a kernel whose expansion is printed at compile time.
 const SHOW: &str = "ALLOTROPE_EXPAND";
 
+/// The errors of what is no function, beside what it is.
+fn rejected(item: TokenStream, diagnostics: Diagnostics) -> TokenStream {
+    let errors = diagnostics.into_compile_errors();
+    if let Ok(mut method) = syn::parse2::<syn::TraitItemFn>(item.clone()) {
+        expand::signature::open_layouts(&mut method.sig);
+        quote!(#errors #method)
+    } else if syn::parse2::<syn::Item>(item.clone()).is_ok() {
+        quote!(#errors #item)
+    } else {
+        errors
+    }
+}
+
 /// Expands a kernel, or reports all its errors beside a function of the same type, so that nothing follows from them.
 pub(crate) fn expand(options: TokenStream, item: TokenStream) -> TokenStream {
     let mut diagnostics = Diagnostics::default();
     let Some(function) = parse::parse(item.clone(), &mut diagnostics) else {
-        let errors = diagnostics.into_compile_errors();
-        return if syn::parse2::<syn::Item>(item.clone()).is_ok() { quote::quote!(#errors #item) } else { errors };
+        return rejected(item, diagnostics);
     };
     let kernel = lower::lower(function.clone(), options);
     check::check(&kernel, &mut diagnostics);
     if !diagnostics.is_empty() {
         let function = expand::fallback(function);
         let errors = diagnostics.into_compile_errors();
-        return quote::quote!(#errors #function);
+        return quote!(#errors #function);
     }
     let expansion = expand::expand(&kernel);
     if std::env::var(SHOW).is_ok_and(|name| kernel.function.sig.ident == name) {

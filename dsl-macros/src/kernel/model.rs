@@ -363,8 +363,8 @@ pub(crate) struct Finding {
 
 /// Kinds of findings.
 pub(crate) enum What {
-    /// The head of a parallel loop is not in the list.
-    Head { range: bool },
+    /// The head of a parallel loop is not in the list; what it is built upon.
+    Head { upon: Upon },
     /// `a..=b` in a head that needs a half-open range.
     InclusiveRange { start: String, end: String },
     /// `a..` or `..b`.
@@ -419,6 +419,18 @@ pub(crate) enum What {
     ReductionGroups { name: String, op: Op, first: Op, line: usize },
     /// `random(seed, key)`.
     Random,
+    /// A `move` closure that holds an access.
+    MoveClosure,
+}
+
+/// What a head that is not in the list is built upon.
+pub(crate) enum Upon {
+    /// A range: `(0..n).rev()`.
+    Range,
+    /// A field: `&u`, `u.iter()`.
+    Field(String),
+    /// Something else.
+    Other,
 }
 
 /// How a variable from outside is assigned.
@@ -428,8 +440,10 @@ pub(crate) enum Assigned {
     Plain,
     /// `x /= ..` and its like.
     Operator(Op),
-    /// `x.y += ..` or `x[k] += ..`.
-    Part,
+    /// `x.y += ..`.
+    Component,
+    /// `x[k] += ..`.
+    Entry,
     /// Through a reference.
     Reference,
 }

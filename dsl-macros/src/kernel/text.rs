@@ -10,6 +10,11 @@ pub(crate) fn text(tokens: &impl ToTokens) -> String {
     out.trim().to_owned()
 }
 
+/// A type as one would write it.
+pub(crate) fn type_text(ty: &syn::Type) -> String {
+    text(ty).replace(" < ", "<").replace(" >", ">")
+}
+
 fn write(tokens: TokenStream, out: &mut String) {
     // Whether the last token was an operator that binds to what follows (`-x`, `&x`), and whether it was joined.
     let mut joined = false;

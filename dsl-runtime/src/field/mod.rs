@@ -39,7 +39,7 @@ pub struct Field<R, L, X = I> {
     geometry: Geometry,
     /// Private copies of former launches, kept for the next one.
     spare: Mutex<Vec<Memory>>,
-    marker: PhantomData<fn() -> (R, L, X)>,
+    marker: PhantomData<(R, L, X)>,
 }
 
 /// A field's address and geometry, which views copy. What may be done through it is its maker's promise.
@@ -48,7 +48,7 @@ pub struct Handle<'a, R, L, X> {
     pub(crate) root: *mut u8,
     pub(crate) geometry: Geometry,
     pub(crate) spare: &'a Mutex<Vec<Memory>>,
-    marker: PhantomData<(&'a (), fn() -> (R, L, X))>,
+    marker: PhantomData<(R, L, X)>,
 }
 
 impl<R, L, X> Clone for Handle<'_, R, L, X> {

@@ -166,6 +166,7 @@ fn start<const CAREFUL: bool, S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + S
     options: Options<'_>,
     body: &F,
 ) -> Outs<Out> {
+    assert!(CAREFUL || (options.fits && options.targets.is_empty()), "such a loop has a careful version");
     let (units, elements) = (space.units(), space.elements());
     if units == 0 || elements == 0 {
         return Outs::new();

@@ -81,7 +81,7 @@ impl<L: Layout<X>, X: Axes> Cells<L, X> {
             layout: PhantomData,
         };
         for axis in 0..X::RANK {
-            let extent = <Self as Space>::EXTENT[axis] as u32;
+            let extent = const { &<Self as Space>::EXTENT }[axis] as u32;
             let size = geometry.shape[axis];
             let first = border.min(size);
             let end = size.saturating_sub(border).max(first);
@@ -121,7 +121,7 @@ impl<L: Layout<X>, X: Axes> Cells<L, X> {
     /// Whether block `b` lies in the box along an axis.
     #[inline(always)]
     fn whole(&self, axis: usize, b: usize) -> bool {
-        let extent = <Self as Space>::EXTENT[axis] as u32;
+        let extent = const { &<Self as Space>::EXTENT }[axis] as u32;
         let start = b as u32 * extent;
         axis >= X::RANK || (start >= self.first[axis] && start + extent <= self.end[axis])
     }
@@ -142,7 +142,7 @@ impl<L: Layout<X>, X: Axes> Cells<L, X> {
         };
         // Whole blocks lie in the middle, cut ones at the ends of the row.
         let (first, end) = (block[last], block[last] + len);
-        let extent = <Self as Space>::EXTENT[last];
+        let extent = const { <Self as Space>::EXTENT[Self::FASTEST] };
         let whole = (self.first[last] as usize).div_ceil(extent).clamp(first, end);
         let cut = if LIGHT && beside { (self.end[last] as usize / extent).clamp(whole, end) } else { whole };
         let mut b = first;
@@ -196,7 +196,7 @@ impl<L: Layout<X>, X: Axes> Cells<L, X> {
     fn start(block: PerAxis, inner: PerAxis) -> [i64; MAX_AXES] {
         per_axis(
             #[inline(always)]
-            |a| if a < X::RANK { (block[a] * <Self as Space>::EXTENT[a] + inner[a]) as i64 } else { 0 },
+            |a| if a < X::RANK { (block[a] * const { &<Self as Space>::EXTENT }[a] + inner[a]) as i64 } else { 0 },
         )
     }
 }

@@ -82,13 +82,14 @@ where
 
     #[inline(always)]
     fn term(axis: usize, c: usize, leaf_bytes: usize, stride: usize) -> usize {
-        let cell = if N::LEAF == 0 { stride } else { N::CELLS / N::LEAF * leaf_bytes };
-        let step = const { strides::<X>(ORDER, sizes::<X>(ORDER, [A, B, C, D])) }[axis] * cell;
-        if N::EXTENT[axis] == 1 {
+        let cell = N::CELLS.checked_div(N::LEAF).map_or(stride, |leaves| leaves * leaf_bytes);
+        let step = const { &strides::<X>(ORDER, sizes::<X>(ORDER, [A, B, C, D])) }[axis] * cell;
+        let below = const { &N::EXTENT }[axis];
+        if N::LEAF == 0 || below == 1 {
             return c * step;
         }
         // Divisions are made in 32 bits, which vectorise: extents are below 2^31.
-        let (c, below) = (c as u32, N::EXTENT[axis] as u32);
+        let (c, below) = (c as u32, below as u32);
         (c / below) as usize * step + N::term(axis, (c % below) as usize, leaf_bytes, stride)
     }
 }

@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use super::place::{Streams, round_up};
 use super::{Geometry, Inner, Layout, Place, flat};
-use crate::axes::{Axes, MAX_AXES, sum};
+use crate::axes::{Axes, MAX_AXES, PerAxis, sum};
 use crate::record::{ElementList, MAX_MEMBERS, Record};
 
 /// Runs of a flat root begin at cache lines.
@@ -14,8 +14,10 @@ const LINE: usize = 64;
 pub(crate) struct Map<R, L, X>(PhantomData<(R, L, X)>);
 
 impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
-    pub(crate) const STREAMS: Streams =
-        Streams::of(<<L::Inner as Inner<X>>::Place as Place>::SPEC, R::Elements::MEMBERS, R::NAMES);
+    // Tables stand behind references: a use then reads one entry, and copies nothing.
+    pub(crate) const STREAMS: &'static Streams =
+        &Streams::of(<<L::Inner as Inner<X>>::Place as Place>::SPEC, R::Elements::MEMBERS, R::NAMES);
+    const EXTENT: &'static PerAxis = &<L::Inner as Inner<X>>::EXTENT;
     pub(crate) const FLAT: bool = flat::<L, X>();
     /// Cells of the innermost node (constant trees).
     const LEAF: usize = <L::Inner as Inner<X>>::LEAF;
@@ -26,7 +28,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     pub(crate) const BLOCK_BYTES: usize =
         if Self::FLAT { 0 } else { <L::Inner as Inner<X>>::CELLS / Self::LEAF * Self::LEAF_BYTES };
     /// Where each member begins in the innermost node (constant trees).
-    const STARTS: [usize; MAX_MEMBERS] = {
+    const STARTS: &'static [usize; MAX_MEMBERS] = &{
         let mut starts = [0; MAX_MEMBERS];
         let mut m = 0;
         while m < R::Elements::MEMBERS.len() {
@@ -36,7 +38,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         }
         starts
     };
-    const STRIDES: [usize; MAX_MEMBERS] = {
+    const STRIDES: &'static [usize; MAX_MEMBERS] = &{
         let mut strides = [0; MAX_MEMBERS];
         let mut m = 0;
         while m < R::Elements::MEMBERS.len() {
@@ -45,7 +47,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         }
         strides
     };
-    const COMPONENTS: [usize; MAX_MEMBERS] = {
+    const COMPONENTS: &'static [usize; MAX_MEMBERS] = &{
         let mut components = [0; MAX_MEMBERS];
         let mut m = 0;
         while m < R::Elements::MEMBERS.len() {
@@ -59,7 +61,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     pub(crate) fn bytes(geometry: &Geometry) -> Option<usize> {
         let cells = geometry.cells as u128;
         let bytes = if Self::FLAT {
-            let streams = &Self::STREAMS;
+            let streams = Self::STREAMS;
             let run = |item: usize| (cells * item as u128).next_multiple_of(LINE as u128);
             streams.streams[..streams.count].iter().map(|s| s.repeats as u128 * run(s.item)).sum()
         } else {
@@ -79,7 +81,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     pub(crate) fn start(geometry: &Geometry, m: usize) -> usize {
         if Self::FLAT {
             let seat = Self::STREAMS.seats[m];
-            if const { Self::STREAMS.count == 1 } {
+            if Self::STREAMS.count == 1 {
                 return seat.offset;
             }
             Self::flat_start(geometry.cells, seat.stream) + seat.offset
@@ -90,7 +92,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
 
     #[inline(always)]
     fn flat_start(cells: usize, stream: usize) -> usize {
-        let streams = const { Self::STREAMS };
+        let streams = Self::STREAMS;
         let mut bytes = 0;
         // Written as a loop over a constant list: it unrolls, and is hoisted out of every loop over cells.
         for s in &streams.streams[..stream] {
@@ -114,6 +116,18 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         }
     }
 
+    /// Bytes between the components of member `m` where they are a constant; else 0.
+    pub(crate) const fn constant_component(m: usize) -> usize {
+        let seat = Self::STREAMS.seats[m];
+        if !seat.split {
+            seat.scalar
+        } else if Self::FLAT {
+            0
+        } else {
+            Self::COMPONENTS[m]
+        }
+    }
+
     /// The offset of member `m` of the element at `at`, which lies within the shape.
     #[inline(always)]
     pub(crate) fn offset(geometry: &Geometry, m: usize, at: [u32; MAX_AXES]) -> usize {
@@ -130,7 +144,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         if Self::FLAT {
             (c as usize).wrapping_mul(geometry.stride[axis]).wrapping_mul(Self::stride(m))
         } else {
-            let extent = const { <L::Inner as Inner<X>>::EXTENT }[axis] as u32;
+            let extent = Self::EXTENT[axis] as u32;
             let (block, inner) = (c / extent, c % extent);
             (block as usize)
                 .wrapping_mul(geometry.stride[axis])

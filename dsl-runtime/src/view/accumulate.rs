@@ -3,6 +3,7 @@
 use core::marker::PhantomData;
 use core::mem::size_of;
 
+use super::lane::Lane;
 use super::{Based, Site};
 use crate::axes::{Axes, MAX_AXES};
 use crate::element::{Element, component};
@@ -15,18 +16,12 @@ use crate::record::{Path, Record};
 /// Accumulates into a path of a field at any index. No update is lost: the memory is this job's own, or every component
 /// is updated atomically.
 #[doc(hidden)]
+#[derive(Debug)]
 pub struct Accumulate<'a, R, L, X, P> {
-    handle: Handle<'a, R, L, X>,
-    site: &'static Site,
+    lane: Lane<'a, R, L, X, P>,
     atomic: bool,
     /// Neither `Send` nor `Sync`: a job's private copy is its alone.
-    path: PhantomData<(P, *mut ())>,
-}
-
-impl<R, L, X, P> core::fmt::Debug for Accumulate<'_, R, L, X, P> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "Accumulate of `{}`", self.site.field)
-    }
+    owner: PhantomData<*mut ()>,
 }
 
 macro_rules! operations {
@@ -66,26 +61,20 @@ where
 {
     #[inline(always)]
     pub(crate) fn new(handle: Handle<'a, R, L, X>, site: &'static Site, atomic: bool) -> Self {
-        Self { handle, site, atomic, path: PhantomData }
+        const { assert!(P::MEMBER.is_some(), "an element is one member") }
+        Self { lane: Lane::new(handle, site), atomic, owner: PhantomData }
     }
 
     #[inline(always)]
     #[track_caller]
     fn locate(&self, index: impl IntoIndex<X>) -> [u32; MAX_AXES] {
-        let Some(at) = self.handle.locate(index) else {
-            self.site.out_of_range(&index.coordinates()[..X::RANK], &self.handle.geometry.shape[..X::RANK])
-        };
-        at
+        self.lane.locate(index)
     }
 
     #[inline(always)]
     #[track_caller]
     fn locate_at(&self, base: &Based<X>, offset: impl IntoIndex<X>) -> [u32; MAX_AXES] {
-        let Some(at) = base.within(&self.handle.geometry, offset.coordinates()) else {
-            let at = base.plus(offset.coordinates());
-            self.site.out_of_range(&at[..X::RANK], &self.handle.geometry.shape[..X::RANK])
-        };
-        at
+        base.plus(offset.coordinates(), self.lane.site())
     }
 
     #[inline(always)]
@@ -93,8 +82,7 @@ where
     where
         <P::Value as Element>::Scalar: Number,
     {
-        let Some(member) = P::MEMBER else { unreachable!("an element is one member") };
-        let (start, step) = self.handle.component(member, at);
+        let (start, step) = self.lane.address(at);
         if self.atomic {
             self.apply_atomically::<O>(start, step, value);
             return;
@@ -107,7 +95,8 @@ where
         }
     }
 
-    #[inline(always)]
+    #[cold]
+    #[inline(never)]
     fn apply_atomically<O: Operator<<P::Value as Element>::Scalar>>(
         &self,
         start: *mut u8,
@@ -203,8 +192,8 @@ where
     E::Scalar: Number,
 {
     // `-0.0 - x` is `-x` for floats, and integers wrap.
-    crate::number::combine(
-        crate::number::splat::<E>(<E::Scalar as Number>::ZERO),
+    E::combine(
+        E::splat(<E::Scalar as Number>::ZERO),
         value,
         #[inline(always)]
         |zero, x| zero.minus(x),

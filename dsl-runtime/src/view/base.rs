@@ -2,7 +2,9 @@
 
 use core::marker::PhantomData;
 
-use crate::axes::{Axes, MAX_AXES, all};
+use super::Site;
+use crate::axes::{Axes, MAX_AXES, all, per_axis};
+use crate::index::within;
 use crate::layout::Geometry;
 
 /// A base whose whole box of offsets lies within a shape.
@@ -13,7 +15,7 @@ pub struct Based<X> {
     base: [u32; MAX_AXES],
     low: [i32; MAX_AXES],
     high: [i32; MAX_AXES],
-    /// The shape that was checked: another field's is checked anew.
+    /// The shape that was checked. The macro uses a base for the field that it was made from alone.
     shape: [u32; MAX_AXES],
     axes: PhantomData<X>,
 }
@@ -36,47 +38,41 @@ impl<X: Axes> Based<X> {
                 (first >= 0) & (last < i64::from(shape[a]))
             },
         );
-        let per_axis = |offsets: [i64; N]| {
-            core::array::from_fn(
+        let narrow = |offsets: [i64; N]| {
+            per_axis(
                 #[inline(always)]
                 |a| if a < N { offsets[a] as i32 } else { 0 },
             )
         };
         fits.then(
             #[inline(always)]
-            || Self { base: base.map(|b| b as u32), low: per_axis(low), high: per_axis(high), shape, axes: PhantomData },
+            || Self { base: [base[0] as u32, base[1] as u32, base[2] as u32, base[3] as u32], low: narrow(low), high: narrow(high), shape, axes: PhantomData },
         )
     }
 
-    /// `base + offset` where the offset lies in the box and the field has the shape that was checked: both fold to
-    /// constants for unrolled offsets. Otherwise the sum is checked by itself.
+    /// `base + offset` where the offset lies in the box, which folds to nothing for unrolled offsets. Otherwise the sum
+    /// is checked by itself.
     #[inline(always)]
-    pub(super) fn within(&self, geometry: &Geometry, offset: [i64; MAX_AXES]) -> Option<[u32; MAX_AXES]> {
+    #[track_caller]
+    pub(super) fn plus(&self, offset: [i64; MAX_AXES], site: &'static Site) -> [u32; MAX_AXES] {
         let inside = all::<X>(
             #[inline(always)]
             |a| (offset[a] >= i64::from(self.low[a])) & (offset[a] <= i64::from(self.high[a])),
         );
-        let same = all::<X>(
-            #[inline(always)]
-            |a| geometry.shape[a] == self.shape[a],
-        );
-        if inside && same {
-            let mut at = [0; MAX_AXES];
-            for (a, c) in at.iter_mut().enumerate().take(X::RANK) {
-                *c = self.base[a].wrapping_add(offset[a] as u32);
-            }
-            Some(at)
-        } else {
-            crate::index::within::<X>(self.plus(offset), &geometry.shape)
+        if !inside {
+            return self.far(offset, site);
         }
+        per_axis(
+            #[inline(always)]
+            |a| if a < X::RANK { self.base[a].wrapping_add(offset[a] as u32) } else { 0 },
+        )
     }
 
-    /// `base + offset`.
-    #[inline(always)]
-    pub(super) fn plus(&self, offset: [i64; MAX_AXES]) -> [i64; MAX_AXES] {
-        core::array::from_fn(
-            #[inline(always)]
-            |a| i64::from(self.base[a] as i32).saturating_add(offset[a]),
-        )
+    #[cold]
+    #[inline(never)]
+    #[track_caller]
+    fn far(&self, offset: [i64; MAX_AXES], site: &'static Site) -> [u32; MAX_AXES] {
+        let at = per_axis(|a| i64::from(self.base[a] as i32).saturating_add(offset[a]));
+        within::<X>(at, &self.shape).unwrap_or_else(|| site.out_of_range(&at[..X::RANK], &self.shape[..X::RANK]))
     }
 }

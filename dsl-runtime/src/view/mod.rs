@@ -3,6 +3,7 @@
 mod accumulate;
 mod base;
 mod free;
+mod lane;
 mod read;
 mod row;
 

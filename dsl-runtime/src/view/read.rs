@@ -1,7 +1,6 @@
 //! `Read`: a path that the loop only reads, at any index.
 
-use core::marker::PhantomData;
-
+use super::lane::Lane;
 use super::{Based, Site};
 use crate::axes::Axes;
 use crate::field::Handle;
@@ -11,11 +10,8 @@ use crate::record::{Path, Record};
 
 /// Reads a path of a field at any index. Nothing in the loop writes it.
 #[doc(hidden)]
-pub struct Read<'a, R, L, X, P> {
-    handle: Handle<'a, R, L, X>,
-    site: &'static Site,
-    path: PhantomData<P>,
-}
+#[derive(Debug)]
+pub struct Read<'a, R, L, X, P>(Lane<'a, R, L, X, P>);
 
 impl<R, L, X, P> Clone for Read<'_, R, L, X, P> {
     #[inline(always)]
@@ -24,16 +20,11 @@ impl<R, L, X, P> Clone for Read<'_, R, L, X, P> {
     }
 }
 impl<R, L, X, P> Copy for Read<'_, R, L, X, P> {}
-impl<R, L, X, P> core::fmt::Debug for Read<'_, R, L, X, P> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "Read of `{}`", self.site.field)
-    }
-}
 
 impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Read<'a, R, L, X, P> {
     #[inline(always)]
     pub(crate) fn new(handle: Handle<'a, R, L, X>, site: &'static Site) -> Self {
-        Self { handle, site, path: PhantomData }
+        Self(Lane::new(handle, site))
     }
 
     /// The value at an index.
@@ -43,11 +34,9 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Read<'a, R, L, X, P> {
     #[inline(always)]
     #[track_caller]
     pub fn get(&self, index: impl IntoIndex<X>) -> P::Value {
-        let Some(at) = self.handle.locate(index) else {
-            self.site.out_of_range(&index.coordinates()[..X::RANK], &self.handle.geometry.shape[..X::RANK])
-        };
+        let at = self.0.locate(index);
         // SAFETY: `at` lies within the shape, and the launch holds the field's borrow under which nothing writes this path.
-        unsafe { self.handle.read::<P>(at) }
+        unsafe { self.0.read(at) }
     }
 
     /// The value at `base + offset`, checked with the base where the offset lies in the base's box.
@@ -57,11 +46,8 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Read<'a, R, L, X, P> {
     #[inline(always)]
     #[track_caller]
     pub fn get_at(&self, base: &Based<X>, offset: impl IntoIndex<X>) -> P::Value {
-        let Some(at) = base.within(&self.handle.geometry, offset.coordinates()) else {
-            let at = base.plus(offset.coordinates());
-            self.site.out_of_range(&at[..X::RANK], &self.handle.geometry.shape[..X::RANK])
-        };
-        // SAFETY: as in `get`.
-        unsafe { self.handle.read::<P>(at) }
+        let at = base.plus(offset.coordinates(), self.0.site());
+        // SAFETY: as in `get`; the base was made from this field.
+        unsafe { self.0.read(at) }
     }
 }

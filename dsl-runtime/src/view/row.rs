@@ -76,6 +76,16 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
         None => 0,
     };
 
+    const STRIDE: usize = Map::<R, L, X>::stride(Self::MEMBER);
+    const COMPONENT: usize = Map::<R, L, X>::constant_component(Self::MEMBER);
+    /// Whether neighbours along the run are neighbours in memory (`Even`).
+    const ADJACENT: bool = run_axis::<L, X>() == S::AXIS;
+
+    #[inline(always)]
+    fn component(&self) -> usize {
+        if Self::COMPONENT == 0 { Map::<R, L, X>::component(&self.handle.geometry, Self::MEMBER) } else { Self::COMPONENT }
+    }
+
     #[inline(always)]
     fn new(handle: Handle<'a, R, L, X>, site: &'static Site, run: &Run<'_, S>, offset: [i64; MAX_AXES]) -> Self {
         const { assert!(S::RANK == X::RANK, "rows are taken from fields with as many axes as the loop") }
@@ -85,7 +95,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
                 #[inline(always)]
                 |a| {
                     let at = run.at[a].wrapping_add(offset[a]) as usize;
-                    at.wrapping_mul(geometry.stride[a]).wrapping_mul(Map::<R, L, X>::stride(Self::MEMBER))
+                    at.wrapping_mul(geometry.stride[a]).wrapping_mul(Self::STRIDE)
                 },
             )),
             Kind::Blocks => Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_add(sum::<X>(
@@ -108,18 +118,16 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
     #[inline(always)]
     fn address(&self, cell: &Cell<'_, S>) -> *mut u8 {
         let geometry = &self.handle.geometry;
-        let stride = Map::<R, L, X>::stride(Self::MEMBER);
         match Self::KIND {
             Kind::Even => {
-                // The last axis of the root has stride 1: a constant.
-                let step = if run_axis::<L, X>() == S::AXIS { 1 } else { geometry.stride[S::AXIS] };
-                self.start.wrapping_add(cell.k.wrapping_mul(step.wrapping_mul(stride)))
+                let step = if Self::ADJACENT { 1 } else { geometry.stride[S::AXIS] };
+                self.start.wrapping_add(cell.k.wrapping_mul(step.wrapping_mul(Self::STRIDE)))
             }
             Kind::Blocks => {
                 let along = self.offset[S::AXIS];
                 let term = if cell.inside {
                     Map::<R, L, X>::inner(Self::MEMBER, S::AXIS, self.place as usize)
-                        .wrapping_add(((cell.k as i64 + along) as usize).wrapping_mul(stride))
+                        .wrapping_add(((cell.k as i64 + along) as usize).wrapping_mul(Self::STRIDE))
                 } else {
                     block_term::<R, L, X>(self.handle, Self::MEMBER, S::AXIS, 0, self.place + cell.k as i64 + along)
                 };
@@ -165,7 +173,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
             // SAFETY: `checked` returns places within the shape; who else may touch them is the view's promise.
             return unsafe { self.handle.read::<P>(at) };
         }
-        let (address, component) = (self.address(cell), Map::<R, L, X>::component(&self.handle.geometry, Self::MEMBER));
+        let (address, component) = (self.address(cell), self.component());
         // SAFETY: the launch found that the loop's box with this offset lies within the shape, so the address is that of
         // a component of an element; who else may touch it is the view's promise.
         unsafe {
@@ -188,7 +196,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
             // SAFETY: `checked` returns places within the shape; the caller has the element.
             return unsafe { self.handle.write::<P>(at, value) };
         }
-        let (address, component) = (self.address(cell), Map::<R, L, X>::component(&self.handle.geometry, Self::MEMBER));
+        let (address, component) = (self.address(cell), self.component());
         // SAFETY: as in `get`; the caller has the element.
         unsafe {
             P::scatter(
@@ -210,7 +218,7 @@ fn block_term<R: Record, L: Layout<X>, X: Axes>(
     block: usize,
     c: i64,
 ) -> usize {
-    let extent = const { <L::Inner as Inner<X>>::EXTENT }[axis] as i64;
+    let extent = const { &<L::Inner as Inner<X>>::EXTENT }[axis] as i64;
     let (over, place) = (c.div_euclid(extent), c.rem_euclid(extent));
     block
         .wrapping_add(over as usize)

@@ -11,7 +11,7 @@ fn push(u: &mut Field<i32, _>, list: &mut Vec<i32>) {
 #[kernel]
 fn call(u: &mut Field<i32, _>, f: &mut impl FnMut(i32) -> i32) {
     for p in u {
-        u[p] = f(p); //~ E0596
+        u[p] = f(p); //~ E0277
     }
 }
 

@@ -2,13 +2,6 @@
 use allotrope::prelude::*;
 
 #[kernel]
-fn floats(u: &mut Field<f32, _>) {
-    for i in 0.0..1.0 { //~ E0277
-        u[i] = 1.0;
-    }
-}
-
-#[kernel]
 fn border(u: &mut Field<f32, _>, width: i32) {
     for p in u.interior(width) { //~ E0308
         u[p] = 1.0;

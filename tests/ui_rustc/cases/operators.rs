@@ -8,14 +8,15 @@ fn matrices(u: &Field<Mat2, _>, v: &mut Field<Mat2, _>, at: &Field<u32, _>) {
     }
 }
 
-#[kernel]
+// Rustc blames the view here, and its label the operator's line.
+#[kernel] //~ E0277
 fn bits_of_floats(v: &mut Field<f32, _>, at: &Field<u32, _>) {
     for p in at {
-        v[at[p]] |= 1.0; //~ E0277
+        v[at[p]] |= 1.0;
     }
 }
 
-#[kernel]
+#[kernel] //~ E0599
 fn strings(u: &Field<f32, _>) -> String {
     let mut all = String::new();
     for p in u {

@@ -86,6 +86,12 @@ fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
                 .error(Code::UnavailableFunction, at, "`random` is a word of the language that is not available in this version")
                 .help("call a function of your own under another name, or by its path: `self::random(..)`");
         }
+        What::MoveClosure => {
+            diagnostics
+                .error(Code::MoveClosure, at, "a `move` closure inside a parallel loop cannot access fields")
+                .note("it would take the loop's hold on them away from the next element")
+                .help("remove `move`, or read the values before the closure");
+        }
         _ => unreachable!("loops and variables are judged elsewhere"),
     }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::super::syntax::{bare, integer, name_of, parts};
 use crate::diagnostics::{Code, Diagnostics};
 use crate::kernel::model::{Access, Head, Kernel, Loop, Node, Place};
-use crate::kernel::text::text;
+use crate::kernel::text::{text, type_text};
 
 pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
     for found in &kernel.loops {
@@ -86,14 +86,14 @@ fn count(kernel: &Kernel, access: &Access, diagnostics: &mut Diagnostics) {
             &access.target.tokens,
             format!("`{name}` has {}, and the index `{index}` names {found}", axes(rank)),
         );
-        error.note(format!("the type of `{name}` is `{}`", text(&field.ty)));
+        error.note(format!("the type of `{name}` is `{}`", type_text(&field.ty)));
         error.help(format!("write `{name}[{}]`; the third parameter of `Field` says its axes: `I` (the default), `Ij`, `Ijk`", example(rank)));
     }
 }
 
 fn shared_write(kernel: &Kernel, access: &Access, diagnostics: &mut Diagnostics) {
     let field = &kernel.fields[access.field];
-    let (name, ty) = (&field.name, text(&field.ty));
+    let (name, ty) = (&field.name, type_text(&field.ty));
     diagnostics
         .error(Code::SharedWrite, &access.spot.tokens, format!("`{name}` is written, and its parameter is `{ty}`"))
         .help(format!("write `{name}: {}`", ty.replacen('&', "&mut ", 1)));

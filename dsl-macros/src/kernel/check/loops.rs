@@ -1,14 +1,14 @@
 //! Loop heads, attributes, jumps and `unroll!`.
 
 use crate::diagnostics::{Code, Diagnostics};
-use crate::kernel::model::{Finding, What};
+use crate::kernel::model::{Finding, Upon, What};
 
 /// Reports a finding about a loop; `false` if it is about something else.
 pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
     let at = &finding.spot.tokens;
     let text = finding.spot.text();
     match &finding.what {
-        What::Head { range } => head(finding, *range, diagnostics),
+        What::Head { upon } => head(finding, upon, diagnostics),
         What::InclusiveRange { start, end } => {
             let end = end.parse::<i64>().map_or_else(|_| format!("{end} + 1"), |end| (end + 1).to_string());
             diagnostics
@@ -67,9 +67,12 @@ pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
                 .help("write the number, or a plain `for` over the range");
         }
         What::UnrollPattern { ranges } => {
-            let cure = if *ranges == 1 { "one name".to_owned() } else { format!("a tuple of {ranges} names") };
+            let (count, cure) = match ranges {
+                1 => ("one range".to_owned(), "one name".to_owned()),
+                ranges => (format!("{ranges} ranges"), format!("a tuple of {ranges} names")),
+            };
             diagnostics
-                .error(Code::UnrollForm, at, format!("`{text}` does not fit the {ranges} range(s) of `unroll!`"))
+                .error(Code::UnrollForm, at, format!("`unroll!` goes over {count}, which `{text}` does not fit"))
                 .help(format!("write {cure}"));
         }
         What::UnrollAxes => {
@@ -92,18 +95,18 @@ pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
     true
 }
 
-fn head(finding: &Finding, range: bool, diagnostics: &mut Diagnostics) {
+fn head(finding: &Finding, upon: &Upon, diagnostics: &mut Diagnostics) {
     let at = &finding.spot.tokens;
     let text = finding.spot.text();
     let error = diagnostics.error(Code::LoopHead, at, format!("a parallel loop cannot run over `{text}`"));
     error.note(
         "each outermost `for` of a kernel is a parallel launch, and runs over a field, `field.interior(width)`, a range `a..b` or `ndrange!(..)`",
     );
-    if range {
-        error.help("loop over the range itself and compute the index inside");
-    } else {
-        error.help("to loop over a field, write its name alone; a parameter is a field when its type is `&Field<..>` or `&mut Field<..>`");
-    }
+    match upon {
+        Upon::Range => error.help("loop over the range itself and compute the index inside"),
+        Upon::Field(name) => error.help(format!("to loop over the field, write `for .. in {name}`")),
+        Upon::Other => error.help("a parameter is a field when its type is `&Field<..>` or `&mut Field<..>`"),
+    };
     error.help("to run over any iterator on one thread, write `#[serial]` before the loop");
 }
 

@@ -1,5 +1,8 @@
 //! Races: what two iterations of a parallel loop may not do to one element.
 
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::ToTokens;
+
 use crate::diagnostics::{Code, Diagnostics};
 use crate::kernel::access::{Clash, Use, Why, clashes};
 use crate::kernel::model::{Access, Head, Kernel, Loop, Op, Place};
@@ -29,11 +32,11 @@ fn is_serial(kernel: &Kernel, found: &Loop) -> bool {
 fn outermost(kernel: &Kernel, found: &Loop, clash: &Clash, diagnostics: &mut Diagnostics) {
     let access = kernel.access(clash.access);
     let changed = if access.changes() { access } else { kernel.access(clash.other) };
-    let (head, text, line) = (found.spot.text(), changed.spot.text(), changed.spot.line());
+    let (head, text, line) = (found.spot.text(), changed.target.text(), changed.spot.line());
     let inner = found.inner.first().map(|inner| inner.spot.text()).unwrap_or_default();
     diagnostics
         .error(Code::OutermostLoop, &found.spot.tokens, format!("`{head}` is the outermost loop, and so the parallel one"))
-        .note(format!("its turns would run at the same time, and `{text}` in line {line} is the same element in all of them"))
+        .note(format!("its turns would run at the same time, and `{text}` in line {line} would be changed by all of them"))
         .help(format!(
             "to run `{inner}` in parallel, turn after turn, write a `while` loop at the top level, whose `for` loops are launches, or call the kernel from a loop outside"
         ))
@@ -48,14 +51,13 @@ fn name(kernel: &Kernel, access: &Access) -> String {
 
 /// What an access does, and where: the other half of a clash.
 fn other_half(other: &Access) -> String {
-    let does = match other.usage() {
-        Use::Read => "reads it",
-        Use::Write => "writes it",
-        Use::Update(_, Some(_)) => "accumulates into it",
-        Use::Update(_, None) => "changes it",
+    let done = match other.usage() {
+        Use::Read => "is read",
+        Use::Write => "is written",
+        Use::Update(_, Some(_)) => "is accumulated into",
+        Use::Update(_, None) => "is changed",
     };
-    let whose = if other.is_own() { " at the iteration's own index" } else { "" };
-    format!("`{}` in line {} {does}{whose}", other.spot.text(), other.spot.line())
+    format!("`{}` {done} in line {}", other.target.text(), other.spot.line())
 }
 
 fn report(kernel: &Kernel, found: &Loop, clash: &Clash, diagnostics: &mut Diagnostics) {
@@ -75,32 +77,32 @@ fn report(kernel: &Kernel, found: &Loop, clash: &Clash, diagnostics: &mut Diagno
         }
         Why::Stencil => {
             diagnostics
-                .error(Code::InPlaceStencil, &access.spot.tokens, format!("`{target}` is read in a parallel loop that writes `{member}`"))
-                .note(format!("{}: whether this read comes before or after depends on the threads", other_half(other)))
+                .error(Code::InPlaceStencil, &access.spot.tokens, format!("`{target}` is read in a parallel loop that writes `{}`", name(kernel, other)))
+                .note(format!("{}, by every iteration at its own index: whether this read comes before or after depends on the threads", other_half(other)))
                 .help("read from one field and write to another, and swap the two between calls")
                 .help("or write `#[serial]` before the loop to run it on one thread");
         }
         Why::ReadBesideAccumulation => {
             let message = if access.changes() {
-                format!("`{}` accumulates into `{member}`, which the same loop reads", access.spot.text())
+                format!("`{target}` is accumulated into in a parallel loop that reads `{}`", name(kernel, other))
             } else {
-                format!("`{target}` is read in a parallel loop that accumulates into `{member}`")
+                format!("`{target}` is read in a parallel loop that accumulates into `{}`", name(kernel, other))
             };
             diagnostics
                 .error(Code::AccumulateBesideRead, &access.spot.tokens, message)
-                .note(format!("{}: what is read would be a part of the sum, and which part depends on the threads", other_half(other)))
+                .note(format!("{}: what is read would be a part of the result, and which part depends on the threads", other_half(other)))
                 .help("read it in a loop of its own before or after this one, or accumulate into another member");
         }
         Why::WriteBesideAccumulation => {
             diagnostics
-                .error(Code::AccumulateBesideWrite, &access.spot.tokens, format!("`{target}` is changed in a parallel loop that also changes `{member}` in another way"))
+                .error(Code::AccumulateBesideWrite, &access.spot.tokens, format!("`{target}` is changed in a parallel loop that changes `{}` in another way", name(kernel, other)))
                 .note(format!("{}: which of the two comes first depends on the threads", other_half(other)))
                 .help("write the start value in a loop of its own, and accumulate in the next");
         }
         Why::Groups => groups(access, other, &member, diagnostics),
         Why::Places => {
             diagnostics
-                .error(Code::OwnPlaces, &access.spot.tokens, format!("`{target}` has the loop's variables in other places than the first access to `{member}`"))
+                .error(Code::OwnPlaces, &access.spot.tokens, format!("`{target}` and `{}` have the loop's variables in different places", other.target.text()))
                 .note(format!("{}: two iterations could meet in one element", other_half(other)))
                 .help("use one order of the variables for all accesses to a member that the loop writes, or write to another field");
         }
@@ -124,14 +126,36 @@ fn scatter(found: &Loop, access: &Access, diagnostics: &mut Diagnostics) {
         }
         _ => {
             error
-                .note(format!(
-                    "several iterations may write one element, and which comes last depends on the threads; the own index is `{own}`"
-                ))
+                .note(format!("{}, and which comes last depends on the threads; the own index is `{own}`", meeting(found, access)))
                 .help("turn the loop round so that it gathers: loop over the field that is written, and compute where to read")
                 .help("to add up what meets in one element, accumulate: `+=`, `min_assign`, `max_assign`, `|=`")
                 .help("or write `#[serial]` before the loop to run it on one thread");
         }
     }
+}
+
+/// Which iterations write one element.
+fn meeting(found: &Loop, access: &Access) -> String {
+    let mentioned = identifiers(access.index.to_token_stream());
+    let missing: Vec<String> =
+        found.variables.iter().flatten().filter(|name| !mentioned.contains(name)).map(|name| format!("`{name}`")).collect();
+    if mentioned.is_empty() {
+        "all iterations write this one element".to_owned()
+    } else if !missing.is_empty() && missing.len() < found.variables.len() {
+        format!("iterations that differ in {} alone write one element", missing.join(" and "))
+    } else {
+        "several iterations may write one element".to_owned()
+    }
+}
+
+/// All names in tokens.
+fn identifiers(tokens: TokenStream) -> Vec<Ident> {
+    let names = tokens.into_iter().map(|token| match token {
+        TokenTree::Ident(name) => vec![name],
+        TokenTree::Group(group) => identifiers(group.stream()),
+        TokenTree::Punct(_) | TokenTree::Literal(_) => Vec::new(),
+    });
+    names.flatten().collect()
 }
 
 fn operator(access: &Access, diagnostics: &mut Diagnostics) {

@@ -7,7 +7,7 @@ use syn::{FnArg, GenericArgument, Pat, PathArguments, Type};
 use crate::diagnostics::{Code, Diagnostics};
 use crate::kernel::model::Kernel;
 use crate::kernel::syntax::last_segment;
-use crate::kernel::text::text;
+use crate::kernel::text::{text, type_text};
 
 pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
     options(kernel, diagnostics);
@@ -81,7 +81,7 @@ fn parameter(parameter: &syn::PatType, diagnostics: &mut Diagnostics) {
         }
         ("Field", Type::Reference(_)) => {}
         ("Field", ty) => {
-            let ty = text(ty);
+            let ty = type_text(ty);
             diagnostics
                 .error(Code::FieldByValue, &parameter.ty, "a kernel takes its fields by reference")
                 .help(format!("write `&{ty}` to read it or `&mut {ty}` to write it"));

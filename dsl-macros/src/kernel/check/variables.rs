@@ -21,11 +21,17 @@ pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
                     .note("its result depends on the order of the iterations")
                     .help("use one of `+=`, `-=`, `*=`, `min_assign`, `max_assign`, `&=`, `|=`, `^=`");
             }
-            Assigned::Part => {
+            Assigned::Component => {
                 diagnostics
-                    .error(Code::ReductionPart, at, format!("`{text}` accumulates into a part of `{name}`"))
-                    .note("reductions into components and arrays are not available in this version")
-                    .help(format!("accumulate into all of `{name}` (`{name} += vec2(x, 0.0)`), or into a field of bins"));
+                    .error(Code::ReductionPart, at, format!("`{text}` accumulates into a component of `{name}`"))
+                    .note("reductions into components are not available in this version")
+                    .help(format!("accumulate into all of it, `{name} += vec2(x, 0.0)`, or into a variable for each component"));
+            }
+            Assigned::Entry => {
+                diagnostics
+                    .error(Code::ReductionPart, at, format!("`{text}` accumulates into an entry of `{name}`"))
+                    .note("reductions into arrays are not available in this version")
+                    .help(format!("accumulate into a field, which any index may be added to: `{name}: &mut Field<u32, _>`"));
             }
             Assigned::Reference => {
                 diagnostics

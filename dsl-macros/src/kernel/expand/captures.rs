@@ -55,5 +55,5 @@ pub(super) fn assert_shared(parallel: &Loop) -> TokenStream {
 }
 
 fn local(name: &Ident) -> Ident {
-    hidden(&plain(name))
+    hidden(&format!("held_{}", plain(name)))
 }

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 use syn::Expr;
 
-use super::names::{handle, hidden, label, numbered, plain, private, tag};
+use super::names::{handle, hidden, label, numbered, plain, private, span, tag};
 use super::rewrite::{Rewrite, Scope};
 use super::{captures, reductions};
 use crate::kernel::access::{Plan, View, plan};
@@ -28,30 +28,11 @@ impl Launch<'_> {
         self.held.iter().find(|capture| capture.name == *name).map(|capture| captures::replacement(capture, name))
     }
 
-    /// The local that holds a view.
+    /// The local that holds a view. Its number tells it from all others, whatever the user's names are.
     pub(super) fn view_name(&self, number: usize) -> Ident {
         let planned = &self.plan.views[number];
-        let mut name = plain(&self.kernel.fields[planned.field].name);
-        for member in &planned.path {
-            name.push('_');
-            name.push_str(&plain(member));
-        }
-        let kind = match planned.view {
-            View::Own => "own",
-            View::OwnFree => "free",
-            View::Row(_) => "row",
-            View::Any => "any",
-            View::Accumulate => "sum",
-        };
-        let same = |other: &crate::kernel::access::Planned| {
-            other.field == planned.field
-                && other.path == planned.path
-                && matches!((&other.view, &planned.view), (View::Row(_), View::Row(_)))
-        };
-        match self.plan.views[..number].iter().filter(|other| same(other)).count() {
-            0 => hidden(&format!("{name}_{kind}")),
-            before => hidden(&format!("{name}_{kind}{before}")),
-        }
+        let path: String = planned.path.iter().map(|member| format!("_{}", plain(member))).collect();
+        hidden(&format!("v{number}_{}{path}", plain(&self.kernel.fields[planned.field].name)))
     }
 
     /// The local that holds an own-index read of a member that a heavy loop only reads.
@@ -81,7 +62,7 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
     let private = private();
     let (space, fits, task, run) = (hidden("space"), hidden("fits"), hidden("task"), hidden("run"));
     let handles = launch.handles();
-    let over = launch.space();
+    let (bounds, over) = launch.space();
     let (fits_value, always_fits) = launch.fits();
     let pieces = reductions::pieces(parallel);
     let (before, partials, result, combines) = (&pieces.before, &pieces.partials, &pieces.result, &pieces.combines);
@@ -103,11 +84,11 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
     } else {
         (quote!(let #outs =), quote!(for #out in #outs { #combines }))
     };
-    quote! {
-        #(#attributes)*
+    let tokens = quote! {
         {
             #hold_traits
             #space_trait
+            #bounds
             #handles
             let #space = #over;
             let #fits = #fits_value;
@@ -124,7 +105,9 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
             });
             #combine
         }
-    }
+    };
+    // Attributes may stand on statements alone, and the loop could be its block's value.
+    if attributes.is_empty() { tokens } else { quote!({ #(#attributes)* #tokens; }) }
 }
 
 impl Launch<'_> {
@@ -147,24 +130,30 @@ impl Launch<'_> {
         handles.collect()
     }
 
-    fn space(&self) -> TokenStream {
+    /// What is evaluated before the loop takes its fields, and the space.
+    fn space(&self) -> (TokenStream, TokenStream) {
         let private = private();
         let host = Rewrite { kernel: self.kernel, scope: Scope::Host };
         match &self.parallel.head {
             Head::Field(field) => {
                 let handle = handle(&self.kernel.fields[*field]);
-                quote!(#private::over(#handle))
+                (TokenStream::new(), quote!(#private::over(#handle)))
             }
             Head::Interior { field, width } => {
-                let (handle, width) = (handle(&self.kernel.fields[*field]), host.expr(width));
-                quote!(#private::interior(#handle, #width))
+                let (handle, value) = (handle(&self.kernel.fields[*field]), host.expr(width));
+                if matches!(**width, Expr::Lit(_)) {
+                    return (TokenStream::new(), quote!(#private::interior(#handle, #value)));
+                }
+                let local = Ident::new("__width", Span::mixed_site().located_at(span(width)));
+                (quote!(let #local = #value;), quote!(#private::interior(#handle, #local)))
             }
             Head::Ranges(ranges) => {
                 let ranges = ranges.iter().map(|(start, end)| {
                     let (start, end) = (host.expr(start), host.expr(end));
                     quote!((#start)..(#end),)
                 });
-                quote!(#private::range((#(#ranges)*)))
+                let local = hidden("range");
+                (quote!(let #local = #private::range((#(#ranges)*));), quote!(#local))
             }
             Head::Invalid => unreachable!("a kernel with an invalid head is not expanded"),
         }

@@ -6,7 +6,7 @@ mod launch;
 mod names;
 mod reductions;
 mod rewrite;
-mod signature;
+pub(super) mod signature;
 mod unroll;
 mod views;
 
@@ -20,7 +20,7 @@ use super::model::Kernel;
 /// The function that a kernel without errors stands for.
 pub(super) fn expand(kernel: &Kernel) -> TokenStream {
     let mut function = kernel.function.clone();
-    signature::open_layouts(&mut function);
+    signature::open_layouts(&mut function.sig);
     let rewrite = Rewrite { kernel, scope: Scope::Host };
     let body = rewrite.block(&kernel.function.block);
     let ItemFn { attrs, vis, sig, .. } = function;
@@ -30,7 +30,7 @@ pub(super) fn expand(kernel: &Kernel) -> TokenStream {
 
 /// A function of the same type that does nothing, for a kernel with errors: so that its callers have none.
 pub(super) fn fallback(mut function: ItemFn) -> TokenStream {
-    signature::open_layouts(&mut function);
+    signature::open_layouts(&mut function.sig);
     for input in &mut function.sig.inputs {
         if let FnArg::Typed(parameter) = input
             && let Pat::Ident(name) = &mut *parameter.pat

@@ -29,7 +29,7 @@ pub(super) fn label(name: &str) -> Lifetime {
 
 /// The handle of a field.
 pub(super) fn handle(field: &FieldParam) -> Ident {
-    hidden(plain(&field.name).as_str())
+    hidden(&format!("field_{}", plain(&field.name)))
 }
 
 /// A name without `r#`.

@@ -147,8 +147,9 @@ struct Visitor<'a>(Rewrite<'a>);
 
 impl VisitMut for Visitor<'_> {
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
-        if let Some(node) = node_of(expr) {
-            *expr = Expr::Verbatim(self.0.node(node));
+        if let (Some(node), Expr::Macro(placeholder)) = (node_of(expr), &*expr) {
+            let (attributes, tokens) = (&placeholder.attrs, self.0.node(node));
+            *expr = Expr::Verbatim(quote!(#(#attributes)* #tokens));
             return;
         }
         if let (Scope::Parallel(launch), Expr::Path(_)) = (self.0.scope, &*expr)

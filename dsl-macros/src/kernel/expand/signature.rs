@@ -2,11 +2,11 @@
 
 use quote::quote;
 use syn::visit_mut::{self, VisitMut};
-use syn::{FnArg, GenericArgument, ItemFn, PathArguments, Type};
+use syn::{FnArg, GenericArgument, PathArguments, Signature, Type, parse_quote};
 
 /// Opens every `_` that stands for a field's layout.
-pub(super) fn open_layouts(function: &mut ItemFn) {
-    for input in &mut function.sig.inputs {
+pub(crate) fn open_layouts(signature: &mut Signature) {
+    for input in &mut signature.inputs {
         if let FnArg::Typed(parameter) = input {
             OpenLayouts.visit_type_mut(&mut parameter.ty);
         }
@@ -21,6 +21,13 @@ impl VisitMut for OpenLayouts {
         let PathArguments::AngleBracketed(arguments) = &mut segment.arguments else { return };
         if segment.ident != "Field" {
             return;
+        }
+        // Record and axes cannot be open: where they are, the error is told, and rustc need not repeat it.
+        if let Some(GenericArgument::Type(record @ Type::Infer(_))) = arguments.args.first_mut() {
+            *record = parse_quote!(f32);
+        }
+        if let Some(GenericArgument::Type(axes @ Type::Infer(_))) = arguments.args.get_mut(2) {
+            *axes = parse_quote!(::allotrope::I);
         }
         let axes = match arguments.args.get(2) {
             Some(GenericArgument::Type(axes)) => quote!(#axes),

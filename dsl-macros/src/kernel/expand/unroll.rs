@@ -126,6 +126,10 @@ fn bases(launch: &Launch<'_>, repeat: &Unroll) -> Vec<Base> {
         }
         let Some((base, offset)) = split(launch, repeat, &access.index) else { continue };
         let Some(reach) = reach(repeat, &offset) else { continue };
+        // `base + 1` with a vector adds to each part: as many parts as axes are needed.
+        if launch.kernel.fields[access.field].rank != Some(reach.len()) {
+            continue;
+        }
         let (low, high): (Vec<i32>, Vec<i32>) = reach.into_iter().unzip();
         let name = name_of(&base);
         let same = |known: &&mut Base| known.field == access.field && name_of(&known.base) == name && known.low.len() == low.len();

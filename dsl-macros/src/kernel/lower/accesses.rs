@@ -98,16 +98,9 @@ impl Lower {
 
     /// The variable from outside the parallel loop that a left side changes, and how.
     fn outer_root(&self, left: &Expr) -> Option<(Ident, Assigned)> {
-        let (name, part, dereferenced) = root(left)?;
-        let kind = self.outer(name)?;
-        let how = if dereferenced || matches!(kind, Kind::Reference | Kind::Exclusive) {
-            Assigned::Reference
-        } else if part {
-            Assigned::Part
-        } else {
-            Assigned::Plain
-        };
-        Some((name.clone(), how))
+        let (name, how) = root(left)?;
+        let referring = matches!(self.outer(name)?, Kind::Reference | Kind::Exclusive);
+        Some((name.clone(), if referring { Assigned::Reference } else { how }))
     }
 
     /// `target op= value`.

@@ -7,7 +7,7 @@ use syn::spanned::Spanned;
 use syn::{Expr, RangeLimits, Token};
 
 use super::Lower;
-use crate::kernel::model::{Head, What};
+use crate::kernel::model::{Head, Upon, What};
 use crate::kernel::syntax::{bare, integer};
 use crate::kernel::text::text;
 
@@ -31,8 +31,8 @@ impl Lower {
                 Head::Invalid
             }
             other => {
-                let range = holds_range(other);
-                self.find(What::Head { range }, expr);
+                let upon = self.upon(other);
+                self.find(What::Head { upon }, expr);
                 Head::Invalid
             }
         }
@@ -58,7 +58,8 @@ impl Lower {
         let field = self.field_name(&call.receiver)?;
         if name != "interior" || call.args.len() != 1 {
             if parallel {
-                self.find(What::Head { range: false }, &whole);
+                let upon = self.upon(&whole);
+                self.find(What::Head { upon }, &whole);
                 return Some(Head::Invalid);
             }
             return None;
@@ -66,6 +67,18 @@ impl Lower {
         let mut width = call.args[0].clone();
         self.visit_expr_mut_free(&mut width);
         Some(Head::Interior { field, width: Box::new(width) })
+    }
+
+    /// What an expression is built upon.
+    fn upon(&self, expr: &Expr) -> Upon {
+        match bare(expr) {
+            Expr::Range(_) => Upon::Range,
+            Expr::MethodCall(call) => self.upon(&call.receiver),
+            other => match self.borrowed_base(other) {
+                Some(base) => Upon::Field(self.kernel.fields[base.field].name.to_string()),
+                None => Upon::Other,
+            },
+        }
     }
 
     fn mentions_field(&self, expr: &Expr) -> bool {
@@ -157,15 +170,6 @@ impl Lower {
 fn arguments(tokens: TokenStream) -> Option<Vec<Expr>> {
     let list = Punctuated::<Expr, Token![,]>::parse_terminated.parse2(tokens).ok()?;
     Some(list.into_iter().collect())
-}
-
-/// Whether an expression is built upon a range, such as `(0..n).rev()`.
-fn holds_range(expr: &Expr) -> bool {
-    match bare(expr) {
-        Expr::Range(_) => true,
-        Expr::MethodCall(call) => holds_range(&call.receiver),
-        _ => false,
-    }
 }
 
 /// The whole of a head as a span for what replaces it.

@@ -167,10 +167,15 @@ impl Lower {
         for input in &closure.inputs {
             self.bind_pattern(input);
         }
+        let known = self.kernel.nodes.len();
         self.visit_statement(&mut closure.body);
         self.targets.pop();
         self.scopes.leave();
         self.mode = mode;
+        let accesses = self.kernel.nodes[known..].iter().any(|node| matches!(node, Node::Access(_) | Node::FieldCall(_)));
+        if let (Some(word), true, true) = (closure.capture, accesses, self.parallel().is_some()) {
+            self.find(What::MoveClosure, &word);
+        }
     }
 
     fn visit_if(&mut self, branch: &mut syn::ExprIf) {
@@ -202,44 +207,8 @@ impl Lower {
         self.targets.pop();
     }
 
-    /// A name used as a value.
-    fn visit_name(&mut self, expr: &mut Expr) {
-        let Some(name) = name_of(expr).cloned() else { return };
-        if let Some(field) = self.field(&name) {
-            if self.parallel().is_some() {
-                self.find(What::BareField { field }, &name);
-            }
-        } else if let Some(kind) = self.outer(&name) {
-            self.capture(&name, kind);
-        }
-    }
-}
-
-impl VisitMut for Lower {
-    fn visit_block_mut(&mut self, block: &mut Block) {
-        self.scopes.enter();
-        for place in 0..block.stmts.len() {
-            let tail = is_tail(block, place);
-            self.known_macro_statement(&mut block.stmts[place], tail);
-            self.visit_stmt_mut(&mut block.stmts[place]);
-        }
-        self.scopes.leave();
-    }
-
-    fn visit_stmt_mut(&mut self, statement: &mut Stmt) {
-        match statement {
-            Stmt::Local(local) => self.visit_local(local),
-            Stmt::Expr(expr, _) => self.visit_statement(expr),
-            Stmt::Macro(call) => self.opaque_macro(&call.mac, false),
-            Stmt::Item(item) => {
-                if let syn::Item::Macro(definition) = item {
-                    self.opaque_macro(&definition.mac, true);
-                }
-            }
-        }
-    }
-
-    fn visit_expr_mut(&mut self, expr: &mut Expr) {
+    /// Visits an expression without its attributes.
+    fn visit_bare_expr(&mut self, expr: &mut Expr) {
         let statement = mem::take(&mut self.statement);
         match expr {
             Expr::ForLoop(_) => self.visit_for(expr),
@@ -282,6 +251,52 @@ impl VisitMut for Lower {
         }
     }
 
+    /// A name used as a value.
+    fn visit_name(&mut self, expr: &mut Expr) {
+        let Some(name) = name_of(expr).cloned() else { return };
+        if let Some(field) = self.field(&name) {
+            if self.parallel().is_some() {
+                self.find(What::BareField { field }, &name);
+            }
+        } else if let Some(kind) = self.outer(&name) {
+            self.capture(&name, kind);
+        }
+    }
+}
+
+impl VisitMut for Lower {
+    fn visit_block_mut(&mut self, block: &mut Block) {
+        self.scopes.enter();
+        for place in 0..block.stmts.len() {
+            let tail = is_tail(block, place);
+            self.known_macro_statement(&mut block.stmts[place], tail);
+            self.visit_stmt_mut(&mut block.stmts[place]);
+        }
+        self.scopes.leave();
+    }
+
+    fn visit_stmt_mut(&mut self, statement: &mut Stmt) {
+        match statement {
+            Stmt::Local(local) => self.visit_local(local),
+            Stmt::Expr(expr, _) => self.visit_statement(expr),
+            Stmt::Macro(call) => self.opaque_macro(&call.mac, false),
+            Stmt::Item(item) => {
+                if let syn::Item::Macro(definition) = item {
+                    self.opaque_macro(&definition.mac, true);
+                }
+            }
+        }
+    }
+
+    fn visit_expr_mut(&mut self, expr: &mut Expr) {
+        // `#[cfg(..)] u[p] = 1.0;`: attributes stay on what stands in the expression's place.
+        let attributes = attributes_of(expr).map(mem::take).unwrap_or_default();
+        self.visit_bare_expr(expr);
+        if let (false, Some(kept)) = (attributes.is_empty(), attributes_of(expr)) {
+            *kept = attributes;
+        }
+    }
+
     // Patterns hold no expressions that could be accesses, and types none at all.
     fn visit_pat_mut(&mut self, _: &mut Pat) {}
     fn visit_type_mut(&mut self, _: &mut Type) {}
@@ -292,5 +307,21 @@ impl VisitMut for Lower {
             value.colon_token = Some(syn::Token![:](value.member.span()));
         }
         self.visit_expr_mut(&mut value.expr);
+    }
+}
+
+/// The attributes of an expression of a kind that may be replaced: syn keeps those of a statement at its leftmost part.
+/// Those of a loop are the language's.
+fn attributes_of(expr: &mut Expr) -> Option<&mut Vec<syn::Attribute>> {
+    match expr {
+        Expr::Assign(inner) => attributes_of(&mut inner.left),
+        Expr::Binary(inner) => attributes_of(&mut inner.left),
+        Expr::Path(inner) => Some(&mut inner.attrs),
+        Expr::MethodCall(inner) => Some(&mut inner.attrs),
+        Expr::Macro(inner) => Some(&mut inner.attrs),
+        Expr::Index(inner) => Some(&mut inner.attrs),
+        Expr::Break(inner) => Some(&mut inner.attrs),
+        Expr::Continue(inner) => Some(&mut inner.attrs),
+        _ => None,
     }
 }

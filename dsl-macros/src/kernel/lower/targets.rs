@@ -3,7 +3,7 @@
 use syn::{Expr, Ident, Member};
 
 use super::Lower;
-use crate::kernel::model::Projection;
+use crate::kernel::model::{Assigned, Projection};
 use crate::kernel::syntax::{bare, name_of};
 
 /// A field or a member of it, without an index.
@@ -78,14 +78,17 @@ impl Lower {
     }
 }
 
-/// The variable that an assignment's left side changes, and whether only a part of it, or what it refers to.
-pub(super) fn root(expr: &Expr) -> Option<(&Ident, bool, bool)> {
-    match bare(expr) {
-        Expr::Field(member) => root(&member.base).map(|(name, _, reference)| (name, true, reference)),
-        Expr::Index(index) => root(&index.expr).map(|(name, _, reference)| (name, true, reference)),
-        Expr::Unary(unary) if matches!(unary.op, syn::UnOp::Deref(_)) => {
-            root(&unary.expr).map(|(name, part, _)| (name, part, true))
-        }
-        path => name_of(path).map(|name| (name, false, false)),
-    }
+/// The variable that an assignment's left side changes, and how: all of it, a part, or what it refers to.
+pub(super) fn root(expr: &Expr) -> Option<(&Ident, Assigned)> {
+    let (name, how) = match bare(expr) {
+        Expr::Field(member) => (root(&member.base)?, Assigned::Component),
+        Expr::Index(index) => (root(&index.expr)?, Assigned::Entry),
+        Expr::Unary(unary) if matches!(unary.op, syn::UnOp::Deref(_)) => (root(&unary.expr)?, Assigned::Reference),
+        path => return name_of(path).map(|name| (name, Assigned::Plain)),
+    };
+    Some(match name {
+        (name, Assigned::Plain) => (name, how),
+        // What is nearest to the variable decides.
+        inner => inner,
+    })
 }

@@ -7,6 +7,7 @@ fn light_loop() {
     insta::assert_snapshot!(expansion(
         "fn saxpy(y: &mut Field<f32, _>, x: &Field<f32, Soa>, a: f32) { for p in y { y[p] += a * x[p]; } }"
     ), @r#"
+#[allow(unused_parens, clippy::deref_addrof)]
 fn saxpy(
     y: &mut Field<f32, impl ::allotrope::Layout<::allotrope::I>>,
     x: &Field<f32, Soa>,
@@ -15,22 +16,22 @@ fn saxpy(
     {
         use ::allotrope::__private::{Hold as _, Lend as _};
         use ::allotrope::__private::Space as _;
-        let __y = ::allotrope::__private::exclusive(
+        let __field_y = ::allotrope::__private::exclusive(
             &mut *y,
             &::allotrope::__private::Site {
                 kernel: "saxpy",
                 field: "y",
             },
         );
-        let __x = ::allotrope::__private::shared(
+        let __field_x = ::allotrope::__private::shared(
             &*x,
             &::allotrope::__private::Site {
                 kernel: "saxpy",
                 field: "x",
             },
         );
-        let __space = ::allotrope::__private::over(__y);
-        let __fits = __space.fits(__x, [0], [0]);
+        let __space = ::allotrope::__private::over(__field_y);
+        let __fits = __space.fits(__field_x, [0], [0]);
         ::allotrope::__private::assert_shared(&a);
         ::allotrope::__private::launch(
             &__space,
@@ -43,8 +44,8 @@ fn saxpy(
             },
             #[inline(always)]
             |__task| {
-                let (__y, __x) = (__y, __x);
-                let __a = ::allotrope::__private::Wrap(&a).hold();
+                let (__field_y, __field_x) = (__field_y, __field_x);
+                let __held_a = ::allotrope::__private::Wrap(&a).hold();
                 let y = ::allotrope::__private::NotAnAccess;
                 let x = ::allotrope::__private::NotAnAccess;
                 let _ = (&y, &x);
@@ -52,10 +53,10 @@ fn saxpy(
                     .rows(
                         #[inline(always)]
                         |__run| {
-                            let __x_row = __x
+                            let __v0_x = __field_x
                                 .row(&__run, ::allotrope::__private::Whole, [0]);
                             let __buffer1 = ::allotrope::__private::buffer();
-                            let __y_own = __y
+                            let __v1_y = __field_y
                                 .held(&__run, ::allotrope::__private::Whole, &__buffer1);
                             __run
                                 .each(
@@ -66,15 +67,16 @@ fn saxpy(
                                         let _ = (&p,);
                                         {
                                             {
-                                                let __value = (*__a.get()) * (*(&__x_row.get(&__cell)));
-                                                let mut __target = __y_own.get(&__cell);
+                                                let __value = (*__held_a.get())
+                                                    * (*(&(__v0_x).get(&__cell)));
+                                                let mut __target = (__v1_y).get(&__cell);
                                                 __target += __value;
-                                                __y_own.set(&__cell, __target);
+                                                (__v1_y).set(&__cell, __target);
                                             };
                                         }
                                     },
                                 );
-                            __y_own.flush(&__run);
+                            __v1_y.flush(&__run);
                         },
                     );
             },
@@ -97,6 +99,7 @@ fn stencil_with_a_reduction() {
             change
         }"
     ), @r#"
+#[allow(unused_parens, clippy::deref_addrof)]
 fn smooth(
     u: &Field<f32, impl ::allotrope::Layout<Ij>, Ij>,
     v: &mut Field<f32, impl ::allotrope::Layout<Ij>, Ij>,
@@ -104,22 +107,22 @@ fn smooth(
     let mut change = 0.0;
     {
         use ::allotrope::__private::Space as _;
-        let __u = ::allotrope::__private::shared(
+        let __field_u = ::allotrope::__private::shared(
             &*u,
             &::allotrope::__private::Site {
                 kernel: "smooth",
                 field: "u",
             },
         );
-        let __v = ::allotrope::__private::exclusive(
+        let __field_v = ::allotrope::__private::exclusive(
             &mut *v,
             &::allotrope::__private::Site {
                 kernel: "smooth",
                 field: "v",
             },
         );
-        let __space = ::allotrope::__private::interior(__v, 1);
-        let __fits = __space.fits(__u, [-1, 0], [0, 1]);
+        let __space = ::allotrope::__private::interior(__field_v, 1);
+        let __fits = __space.fits(__field_u, [-1, 0], [0, 1]);
         let __r0 = &mut change;
         let __t0 = ::allotrope::__private::reduction(
             ::allotrope::__private::Max,
@@ -136,7 +139,7 @@ fn smooth(
             },
             #[inline(always)]
             |__task| {
-                let (__u, __v) = (__u, __v);
+                let (__field_u, __field_v) = (__field_u, __field_v);
                 let u = ::allotrope::__private::NotAnAccess;
                 let v = ::allotrope::__private::NotAnAccess;
                 let _ = (&u, &v);
@@ -145,12 +148,12 @@ fn smooth(
                     .rows(
                         #[inline(always)]
                         |__run| {
-                            let __u_row = __u
+                            let __v0_u = __field_u
                                 .row(&__run, ::allotrope::__private::Whole, [-1, 0]);
-                            let __u_row1 = __u
+                            let __v1_u = __field_u
                                 .row(&__run, ::allotrope::__private::Whole, [0, 1]);
                             let __buffer2 = ::allotrope::__private::buffer();
-                            let __v_own = __v
+                            let __v2_v = __field_v
                                 .held(&__run, ::allotrope::__private::Whole, &__buffer2);
                             __run
                                 .strips(
@@ -169,13 +172,14 @@ fn smooth(
                                                         if skip(i) {
                                                             break '__element;
                                                         }
-                                                        __v_own
+                                                        (__v2_v)
                                                             .set(
                                                                 &__cell,
                                                                 0.5
-                                                                    * ((*(&__u_row.get(&__cell))) + (*(&__u_row1.get(&__cell)))),
+                                                                    * ((*(&(__v0_u).get(&__cell)))
+                                                                        + (*(&(__v1_u).get(&__cell)))),
                                                             );
-                                                        __t0.apply(&mut __e0, (*(&__v_own.get(&__cell))));
+                                                        __t0.apply(&mut __e0, (*(&(__v2_v).get(&__cell))));
                                                     }
                                                     __s0.put(&__cell, __e0);
                                                 },
@@ -183,7 +187,7 @@ fn smooth(
                                         __p0.absorb(&__s0, &__run);
                                     },
                                 );
-                            __v_own.flush(&__run);
+                            __v2_v.flush(&__run);
                         },
                     );
                 __p0
@@ -211,6 +215,7 @@ fn unrolled_scatter() {
             }
         }"
     ), @r#"
+#[allow(unused_parens, clippy::deref_addrof)]
 fn scatter(
     points: &Field<Point, impl ::allotrope::Layout<::allotrope::I>>,
     grid: &mut Field<Node, impl ::allotrope::Layout<Ij>, Ij>,
@@ -218,21 +223,21 @@ fn scatter(
 ) {
     {
         use ::allotrope::__private::{Hold as _, Lend as _};
-        let __points = ::allotrope::__private::shared(
+        let __field_points = ::allotrope::__private::shared(
             &*points,
             &::allotrope::__private::Site {
                 kernel: "scatter",
                 field: "points",
             },
         );
-        let __grid = ::allotrope::__private::exclusive(
+        let __field_grid = ::allotrope::__private::exclusive(
             &mut *grid,
             &::allotrope::__private::Site {
                 kernel: "scatter",
                 field: "grid",
             },
         );
-        let __space = ::allotrope::__private::over(__points);
+        let __space = ::allotrope::__private::over(__field_points);
         let __fits = true;
         ::allotrope::__private::assert_shared(&mpm);
         ::allotrope::__private::launch(
@@ -243,29 +248,35 @@ fn scatter(
                 heavy: true,
                 scatter: ::core::option::Option::None,
                 targets: &[
-                    &__grid
+                    &__field_grid
                         .target(
                             0usize,
-                            &[(__grid.tags().m.index(), ::allotrope::__private::Op::Add)],
+                            &[
+                                (
+                                    __field_grid.tags().m.index(),
+                                    ::allotrope::__private::Op::Add,
+                                ),
+                            ],
                         ),
                 ],
             },
             #[inline(always)]
             |__task| {
-                let (__points, __grid) = (__points, __grid);
-                let __mpm = ::allotrope::__private::Wrap(mpm).hold();
+                let (__field_points, __field_grid) = (__field_points, __field_grid);
+                let __held_mpm = ::allotrope::__private::Wrap(mpm).hold();
                 let points = ::allotrope::__private::NotAnAccess;
                 let grid = ::allotrope::__private::NotAnAccess;
                 let _ = (&points, &grid);
-                let __grid_m_sum = __grid.accumulate(&__task, 0usize, __grid.tags().m);
+                let __v2_grid_m = __field_grid
+                    .accumulate(&__task, 0usize, __field_grid.tags().m);
                 __task
                     .runs(
                         #[inline(always)]
                         |__run| {
-                            let __points_x_row = __points
-                                .row(&__run, __points.tags().x, [0]);
-                            let __points_m_row = __points
-                                .row(&__run, __points.tags().m, [0]);
+                            let __v0_points_x = __field_points
+                                .row(&__run, __field_points.tags().x, [0]);
+                            let __v1_points_m = __field_points
+                                .row(&__run, __field_points.tags().m, [0]);
                             __run
                                 .each(
                                     [0],
@@ -273,23 +284,23 @@ fn scatter(
                                     |__cell| {
                                         let p = __cell.index();
                                         let _ = (&p,);
-                                        let __h0 = __points_x_row.get(&__cell);
-                                        let __h1 = __points_m_row.get(&__cell);
+                                        let __h0 = __v0_points_x.get(&__cell);
+                                        let __h1 = __v1_points_m.get(&__cell);
                                         {
-                                            let base = __mpm.get().base((*(&__h0)));
-                                            match (__grid.based(base, [0, 0], [1, 0]),) {
+                                            let base = (__held_mpm.get()).base((*(&__h0)));
+                                            match (__field_grid.based(base, [0, 0], [1, 0]),) {
                                                 (::core::option::Option::Some(__b1_0),) => {
                                                     {
                                                         #[allow(unused_variables)]
                                                         let (i, j) = (0i32, 0i32);
                                                         let offset = ivec2(i, j);
-                                                        __grid_m_sum.add_at(&__b1_0, offset, (*(&__h1)));
+                                                        (__v2_grid_m).add_at(&__b1_0, offset, (*(&__h1)));
                                                     }
                                                     {
                                                         #[allow(unused_variables)]
                                                         let (i, j) = (1i32, 0i32);
                                                         let offset = ivec2(i, j);
-                                                        __grid_m_sum.add_at(&__b1_0, offset, (*(&__h1)));
+                                                        (__v2_grid_m).add_at(&__b1_0, offset, (*(&__h1)));
                                                     }
                                                 }
                                                 _ => {
@@ -299,7 +310,7 @@ fn scatter(
                                                             for j in 0i32..1i32 {
                                                                 {
                                                                     let offset = ivec2(i, j);
-                                                                    __grid_m_sum.add(base + offset, (*(&__h1)));
+                                                                    (__v2_grid_m).add(base + offset, (*(&__h1)));
                                                                 }
                                                             }
                                                         }
@@ -332,6 +343,7 @@ fn top_level_and_serial_loops() {
             u.m[(0, 0)]
         }"
     ), @r#"
+#[allow(unused_parens, clippy::deref_addrof)]
 fn host(u: &mut Field<Node, impl ::allotrope::Layout<Ij>, Ij>) -> f32 {
     {
         let __value = 2.0;
@@ -398,6 +410,91 @@ pub fn wrong(
     by: f32,
 ) -> f32 {
     loop {}
+}
+"#);
+}
+
+#[test]
+fn attributes_stay_on_statements() {
+    insta::assert_snapshot!(expansion(
+        "fn checked(u: &mut Field<f32, _>) {
+            #[allow(unused)]
+            for p in u {
+                #[cfg(debug_assertions)]
+                u[p] = 1.0;
+                #[cfg(debug_assertions)]
+                println!(\"{}\", u[p]);
+                #[cfg(any())]
+                u[p] *= 2.0;
+            }
+            #[cfg(any())]
+            u.fill(0.0);
+        }"
+    ), @r#"
+#[allow(unused_parens, clippy::deref_addrof)]
+fn checked(u: &mut Field<f32, impl ::allotrope::Layout<::allotrope::I>>) {
+    {
+        #[allow(unused)]
+        {
+            let __field_u = ::allotrope::__private::exclusive(
+                &mut *u,
+                &::allotrope::__private::Site {
+                    kernel: "checked",
+                    field: "u",
+                },
+            );
+            let __space = ::allotrope::__private::over(__field_u);
+            let __fits = true;
+            ::allotrope::__private::launch_own(
+                &__space,
+                ::allotrope::__private::Options {
+                    kernel: "checked",
+                    fits: __fits,
+                    heavy: false,
+                    scatter: ::core::option::Option::None,
+                    targets: &[],
+                },
+                #[inline(always)]
+                |__task| {
+                    let (__field_u,) = (__field_u,);
+                    let u = ::allotrope::__private::NotAnAccess;
+                    let _ = (&u,);
+                    __task
+                        .rows(
+                            #[inline(always)]
+                            |__run| {
+                                let __buffer0 = ::allotrope::__private::buffer();
+                                let __v0_u = __field_u
+                                    .held(&__run, ::allotrope::__private::Whole, &__buffer0);
+                                __run
+                                    .each(
+                                        [0],
+                                        #[inline(always)]
+                                        |__cell| {
+                                            let p = __cell.index();
+                                            let _ = (&p,);
+                                            {
+                                                #[cfg(debug_assertions)] (__v0_u).set(&__cell, 1.0);
+                                                #[cfg(debug_assertions)]
+                                                println!("{}", (* (& (__v0_u).get(& __cell))));
+                                                #[cfg(any())]
+                                                {
+                                                    let __value = 2.0;
+                                                    let mut __target = (__v0_u).get(&__cell);
+                                                    __target *= __value;
+                                                    (__v0_u).set(&__cell, __target);
+                                                };
+                                            }
+                                        },
+                                    );
+                                __v0_u.flush(&__run);
+                            },
+                        );
+                },
+            );
+        };
+    }
+    #[cfg(any())] u.fill(0.0);
 }
 "#);
 }

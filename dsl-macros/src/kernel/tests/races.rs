@@ -99,7 +99,7 @@ fn a_clash_names_the_other_access() {
     let found = diagnose("fn k(u: &mut Field<f32, _>) {\n for i in u {\n u[i] = 2.0;\n let y = u[i + 1];\n } }");
     insta::assert_snapshot!(found.errors()[0].text(), @r#"
 `u[i + 1]` is read in a parallel loop that writes `u` [A0201]
-= note: `u[i] = 2.0` in line 3 writes it at the iteration's own index: whether this read comes before or after depends on the threads
+= note: `u[i]` is written in line 3, by every iteration at its own index: whether this read comes before or after depends on the threads
 = help: read from one field and write to another, and swap the two between calls
 = help: or write `#[serial]` before the loop to run it on one thread
 "#);

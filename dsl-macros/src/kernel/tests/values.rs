@@ -66,3 +66,10 @@ fn variables_from_outside_are_not_assigned() {
     body("for a in p { let mut t = [0; 3]; t[0] = 1; t[1] += 2; t = [1; 3]; let mut s = 0; s += 1; s = 2; }", &[]);
     body("#[serial] for a in p { s = p[a]; *w += s; }", &[]);
 }
+
+#[test]
+fn move_closures_do_not_access() {
+    body("for a in p { let f = move |k: f32| p[a] + k; }", &["A0223"]);
+    body("for a in p { let f = move |k: f32| k + x; let g = |k: f32| p[a] + k; }", &[]);
+    body("let f = move |k: f32| p[0] + k;", &[]);
+}

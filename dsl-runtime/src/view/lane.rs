@@ -1,0 +1,105 @@
+//! A path of a field by index, its member's start found once.
+
+use core::marker::PhantomData;
+
+use super::Site;
+use crate::axes::{Axes, MAX_AXES, sum};
+use crate::field::Handle;
+use crate::index::IntoIndex;
+use crate::layout::{Layout, Map};
+use crate::record::{Path, Record};
+
+/// Where the values of a path lie, by index.
+pub(super) struct Lane<'a, R, L, X, P> {
+    handle: Handle<'a, R, L, X>,
+    site: &'static Site,
+    /// The member's first component at the field's first element.
+    start: *mut u8,
+    component: usize,
+    path: PhantomData<P>,
+}
+
+impl<R, L, X, P> Clone for Lane<'_, R, L, X, P> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<R, L, X, P> Copy for Lane<'_, R, L, X, P> {}
+
+impl<R, L, X, P> core::fmt::Debug for Lane<'_, R, L, X, P> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "`{}`", self.site.field)
+    }
+}
+
+// SAFETY: as for `Handle`: an address, whose use is justified by the view that holds it.
+unsafe impl<R, L, X, P> Send for Lane<'_, R, L, X, P> {}
+// SAFETY: as above.
+unsafe impl<R, L, X, P> Sync for Lane<'_, R, L, X, P> {}
+
+impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
+    const MEMBER: usize = match P::MEMBER {
+        Some(m) => m,
+        None => 0,
+    };
+    const COMPONENT: usize = Map::<R, L, X>::constant_component(Self::MEMBER);
+
+    #[inline(always)]
+    pub(super) fn new(handle: Handle<'a, R, L, X>, site: &'static Site) -> Self {
+        let geometry = &handle.geometry;
+        let start = handle.root.wrapping_add(Map::<R, L, X>::start(geometry, Self::MEMBER));
+        let component =
+            if Self::COMPONENT == 0 { Map::<R, L, X>::component(geometry, Self::MEMBER) } else { Self::COMPONENT };
+        Self { handle, site, start, component, path: PhantomData }
+    }
+
+    pub(super) fn site(&self) -> &'static Site {
+        self.site
+    }
+
+    /// An index that lies within the shape.
+    ///
+    /// # Panics
+    /// Where it does not.
+    #[inline(always)]
+    #[track_caller]
+    pub(super) fn locate(&self, index: impl IntoIndex<X>) -> [u32; MAX_AXES] {
+        let at = index.coordinates();
+        let Some(at) = crate::index::within::<X>(at, &self.handle.geometry.shape) else {
+            self.site.out_of_range(&at[..X::RANK], &self.handle.geometry.shape[..X::RANK])
+        };
+        at
+    }
+
+    /// The first component of the path's member, and the distance of its components.
+    #[inline(always)]
+    pub(super) fn address(&self, at: [u32; MAX_AXES]) -> (*mut u8, usize) {
+        let offset = sum::<X>(
+            #[inline(always)]
+            |a| Map::<R, L, X>::term(&self.handle.geometry, Self::MEMBER, a, at[a]),
+        );
+        let component = if Self::COMPONENT == 0 { self.component } else { Self::COMPONENT };
+        (self.start.wrapping_add(offset), component)
+    }
+
+    /// Reads the path at an element.
+    ///
+    /// # Safety
+    /// The element lies within the shape, and nobody writes the path there meanwhile.
+    #[inline(always)]
+    pub(super) unsafe fn read(&self, at: [u32; MAX_AXES]) -> P::Value {
+        if P::MEMBER.is_none() {
+            // SAFETY: as the caller promises.
+            return unsafe { self.handle.read::<P>(at) };
+        }
+        let address = self.address(at);
+        // SAFETY: the components of an element within the shape lie in the field's memory.
+        unsafe {
+            P::gather(
+                #[inline(always)]
+                |_| address,
+            )
+        }
+    }
+}
