@@ -11,6 +11,7 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use allotrope::prelude::*;
+use twins::Aligned;
 use twins::transfer::{Apart, Block, Blocks, Interleaved, NodeLists, NodeRecords};
 use twins::{stencils as hand_stencils, streams as hand_streams, transfer as hand};
 use workloads::stencils::{Four, ramp};
@@ -100,13 +101,13 @@ fn same(name: &str, ours: &[f32], theirs: &[f32], tolerance: f32) {
 
 fn stream_pairs(pairs: &Pairs) {
     for (size, label) in [(1 << 24, "2^24"), (1 << 14, "2^14")] {
-        let input = ramp(size);
+        let input = Aligned::new(&ramp(size));
         let mut x = Field::<f32, Aos>::new([size]);
         x.copy_from_slice(&input);
         let name = format!("saxpy {label}, row-major");
         if pairs.wants(&name) {
             let mut y = Field::<f32, Aos>::new([size]);
-            let mut hand = vec![0.0; size];
+            let mut hand = Aligned::new(&vec![0.0; size]);
             streams::saxpy(0.5, &x, &mut y);
             hand_streams::saxpy(pairs.cpu, 0.5, &input, &mut hand);
             same(&name, &y.to_vec(), &hand, 0.0);
@@ -135,7 +136,7 @@ fn stream_pairs(pairs: &Pairs) {
 
 fn jacobi_pairs(pairs: &Pairs) {
     let n = 2048;
-    let input = ramp(n * n);
+    let input = Aligned::new(&ramp(n * n));
     let mut rows = Field::<f32, Aos>::new([n, n]);
     rows.copy_from_slice(&input);
     let mut right = vec![0.0; n * n];
@@ -146,7 +147,7 @@ fn jacobi_pairs(pairs: &Pairs) {
         let mut v = Field::<f32, Aos>::new([n, n]);
         stencils::jacobi(0.25, &rows, &mut v);
         same(name, &v.to_vec(), &right, 0.0);
-        let mut hand = vec![0.0; n * n];
+        let mut hand = Aligned::new(&vec![0.0; n * n]);
         pairs.run(
             name,
             || stencils::jacobi(black_box(0.25), &rows, &mut v),
@@ -160,7 +161,7 @@ fn jacobi_pairs(pairs: &Pairs) {
         let mut v = Field::<Four, Soa, Ij>::from_shape(n);
         stencils::jacobi_member(0.25, &u, &mut v);
         same(name, &v.members().u.to_vec(), &right, 0.0);
-        let mut hand = vec![0.0; n * n];
+        let mut hand = Aligned::new(&vec![0.0; n * n]);
         pairs.run(
             name,
             || stencils::jacobi_member(black_box(0.25), &u, &mut v),
@@ -175,7 +176,8 @@ fn jacobi_pairs(pairs: &Pairs) {
         stencils::jacobi_member(0.25, &u, &mut v);
         same(name, &v.members().u.to_vec(), &right, 0.0);
         let records: Vec<[f32; 4]> = input.iter().map(|&u| [u, 0.0, 0.0, 0.0]).collect();
-        let mut hand = vec![[0.0; 4]; n * n];
+        let records = Aligned::new(&records);
+        let mut hand = Aligned::new(&vec![[0.0; 4]; n * n]);
         pairs.run(
             name,
             || stencils::jacobi_member(black_box(0.25), &u, &mut v),
@@ -196,7 +198,8 @@ fn blocked_pair<const B: usize>(pairs: &Pairs, n: usize, rows: &Field<f32, Aos, 
     stencils::jacobi(0.25, &u, &mut v);
     same(&name, &v.to_vec(), right, 0.0);
     let place = |i: usize, j: usize| ((i / B) * (n / B) + j / B) * B * B + (i % B) * B + j % B;
-    let (mut input, mut hand) = (vec![0.0; n * n], vec![0.0; n * n]);
+    let mut input = Aligned::new(&vec![0.0; n * n]);
+    let mut hand = Aligned::new(&vec![0.0; n * n]);
     for (at, value) in rows.iter().enumerate() {
         input[place(at / n, at % n)] = value;
     }
@@ -215,11 +218,11 @@ fn laplacian_pairs(pairs: &Pairs) {
     if !pairs.wants(name) {
         return;
     }
-    let input = ramp(n * n * n);
+    let input = Aligned::new(&ramp(n * n * n));
     let mut p = Field::<f32, Aos>::new([n, n, n]);
     p.copy_from_slice(&input);
     let mut q = Field::<f32, Aos>::new([n, n, n]);
-    let mut hand = vec![0.0; n * n * n];
+    let mut hand = Aligned::new(&vec![0.0; n * n * n]);
     stencils::laplacian(&p, &mut q);
     hand_stencils::laplacian_rows(pairs.cpu, n, &input, &mut hand);
     same(name, &q.to_vec(), &hand, 0.0);
@@ -259,7 +262,13 @@ fn transfer_pairs(pairs: &Pairs) {
     );
     transfer_pair::<Aos, Aos, _, _>(pairs, "AoS x AoS", &list, &interleaved, NodeRecords(vec![[0.0; 3]; SIDE * SIDE]));
     transfer_pair::<Soa, Aos, _, _>(pairs, "SoA x AoS", &list, &apart, NodeRecords(vec![[0.0; 3]; SIDE * SIDE]));
-    transfer_pair::<AoSoA<16>, Aos, _, _>(pairs, "AoSoA16 x AoS", &list, &blocks, NodeRecords(vec![[0.0; 3]; SIDE * SIDE]));
+    transfer_pair::<AoSoA<16>, Aos, _, _>(
+        pairs,
+        "AoSoA16 x AoS",
+        &list,
+        &blocks,
+        NodeRecords(vec![[0.0; 3]; SIDE * SIDE]),
+    );
     let lists = || NodeLists { v: vec![[0.0; 2]; SIDE * SIDE], m: vec![0.0; SIDE * SIDE] };
     transfer_pair::<Aos, Soa, _, _>(pairs, "AoS x SoA", &list, &interleaved, lists());
     transfer_pair::<Soa, Soa, _, _>(pairs, "SoA x SoA", &list, &apart, lists());

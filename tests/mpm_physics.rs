@@ -91,7 +91,10 @@ fn a_spinning_ball_in_space_keeps_momentum_and_angular_momentum() {
     let end = fluid.totals();
     let size = start.angular_momentum.iter().map(|l| l * l).sum::<f64>().sqrt();
     for axis in 0..3 {
-        assert!((end.angular_momentum[axis] - start.angular_momentum[axis]).abs() < 1e-4 * size, "{start:?} became {end:?}");
+        assert!(
+            (end.angular_momentum[axis] - start.angular_momentum[axis]).abs() < 1e-4 * size,
+            "{start:?} became {end:?}"
+        );
         assert!(end.momentum[axis].abs() < 1e-5 * end.mass, "{end:?}");
     }
 }
@@ -111,7 +114,13 @@ fn deterministic_runs_are_the_same_bits_for_any_threads_and_instruction_set() {
     for (scene, steps) in [(&plane, 40), (&space, 20)] {
         for layout in ["aos+row", "aosoa16+blocked4"] {
             for scatter in [Scatter::Private, Scatter::Serial] {
-                let with = |threads, cpu| Schedule { threads, scatter, deterministic: true, cpu: Some(cpu), ..Schedule::default() };
+                let with = |threads, cpu| Schedule {
+                    threads,
+                    scatter,
+                    deterministic: true,
+                    cpu: Some(cpu),
+                    ..Schedule::default()
+                };
                 let first = bits(scene, layout, with(1, Cpu::Baseline), steps);
                 for cpu in instruction_sets() {
                     for threads in [1, 2, 3, 8] {
@@ -134,7 +143,12 @@ fn a_step_in_which_a_particle_is_too_fast_is_refused_with_step_and_particle() {
     assert_eq!(error.step, 1);
     let message = error.to_string();
     assert!(message.starts_with("stopped at step 1: particle 0 at (0."), "{message}");
-    assert!(message.contains("moved more than a cell, at 41.000 of at most 39.062, and 8191 others; make `dt = 0.0002` smaller"), "{message}");
+    assert!(
+        message.contains(
+            "moved more than a cell, at 41.000 of at most 39.062, and 8191 others; make `dt = 0.0002` smaller"
+        ),
+        "{message}"
+    );
 }
 
 #[test]

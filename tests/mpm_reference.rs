@@ -41,7 +41,12 @@ fn atomic() {
 
 #[test]
 fn deterministic() {
-    follows_the_reference(Schedule { scatter: Scatter::Private, threads: 2, deterministic: true, ..Schedule::default() });
+    follows_the_reference(Schedule {
+        scatter: Scatter::Private,
+        threads: 2,
+        deterministic: true,
+        ..Schedule::default()
+    });
 }
 
 #[test]

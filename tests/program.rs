@@ -29,7 +29,8 @@ fn refused(arguments: &[&str]) -> String {
 }
 
 fn names(folder: &Path) -> Vec<String> {
-    let mut names: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    let mut names: Vec<_> =
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
     names.sort();
     names
 }
@@ -37,7 +38,8 @@ fn names(folder: &Path) -> Vec<String> {
 #[test]
 fn list_tells_what_there_is() {
     let text = succeeds(&["list"]);
-    for name in ["mpm", "mpm88", "bunny", "aos+row", "soa+soa", "split+split", "aosoa16+blocked4", "private", "atomic"] {
+    for name in ["mpm", "mpm88", "bunny", "aos+row", "soa+soa", "split+split", "aosoa16+blocked4", "private", "atomic"]
+    {
         assert!(text.split_whitespace().any(|word| word.trim_end_matches(':') == name), "{name}");
     }
 }
@@ -50,14 +52,23 @@ fn misuse_is_told_in_one_line_with_status_2() {
         (&["bench", "teapot"], "there is no solver `teapot`; known are `mpm`"),
         (&["run", "mpm", "--scene", "bunyn"], "scene `bunyn`: `mpm` has no scene of this name; did you mean `bunny`?"),
         (&["run", "mpm", "--scene", "no/such.toml"], "scene `no/such.toml`: cannot be read: No such file"),
-        (&["run", "mpm", "--layout", "aosoa16+blocked"], "`mpm` has no layout `aosoa16+blocked`; did you mean `aosoa16+blocked4`?"),
+        (
+            &["run", "mpm", "--layout", "aosoa16+blocked"],
+            "`mpm` has no layout `aosoa16+blocked`; did you mean `aosoa16+blocked4`?",
+        ),
         (&["bench", "mpm", "--layouts", "aos+row,xyz"], "`mpm` has no layout `xyz`; known are `aos+row`"),
         (&["bench", "mpm", "--layouts", ","], "`--layouts` and `--schedules` each want at least one name"),
         (&["bench", "mpm", "--schedules", "serail"], "there is no schedule `serail`; did you mean `serial`?"),
         (&["run", "mpm", "--schedule", "coloured"], "there is no schedule `coloured`; known are `auto`, `serial`"),
         (&["run", "mpm", "--threads", "0"], "invalid value `0` for `--threads <N>`: it must be at least 1"),
-        (&["run", "mpm", "--threads", "100000"], "invalid value `100000` for `--threads <N>`: 100000 threads are more than the"),
-        (&["run", "mpm", "--threads", "two"], "invalid value `two` for `--threads <N>`: a whole number above zero is wanted"),
+        (
+            &["run", "mpm", "--threads", "100000"],
+            "invalid value `100000` for `--threads <N>`: 100000 threads are more than the",
+        ),
+        (
+            &["run", "mpm", "--threads", "two"],
+            "invalid value `two` for `--threads <N>`: a whole number above zero is wanted",
+        ),
         (&["run", "mpm", "--steps", "0"], "invalid value `0` for `--steps <N>`"),
         (&["run", "mpm", "--stpes", "9"], "unexpected argument `--stpes` found; did you mean `--steps`?"),
         (&["run", "mpm", "--particles", "99999999999"], "scene `mpm88`: `particles = 99999999999` is not from 1 to"),
@@ -102,7 +113,8 @@ fn a_scene_file_is_refused_by_file_key_and_value() {
     ];
     for (piece, by, wanted) in cases {
         std::fs::write(&path, pool.replace(piece, by)).unwrap();
-        let message = refused(&["run", "mpm", "--scene", path_text, "--out", folder.path().join("out").to_str().unwrap()]);
+        let message =
+            refused(&["run", "mpm", "--scene", path_text, "--out", folder.path().join("out").to_str().unwrap()]);
         assert!(message.starts_with(&format!("scene `{path_text}`: {wanted}")), "{message}");
         assert_eq!(names(folder.path()), ["pool.toml"], "nothing is made before the scene is known to be right");
     }
@@ -116,7 +128,10 @@ fn the_environment_is_checked_too() {
         let output = Command::new(env!("CARGO_BIN_EXE_allotrope")).arg("list").env(variable, value).output().unwrap();
         let message = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{message}");
-        assert!(message.starts_with("error: ") && message.contains(variable) && message.lines().count() == 1, "{message}");
+        assert!(
+            message.starts_with("error: ") && message.contains(variable) && message.lines().count() == 1,
+            "{message}"
+        );
     }
 }
 
@@ -130,7 +145,10 @@ fn a_run_that_breaks_down_stops_with_one_line_and_status_1() {
     let output = allotrope(&["run", "mpm", "--scene", path.to_str().unwrap(), "--out", out.to_str().unwrap()]);
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(1), "{message}");
-    assert!(message.starts_with("error: stopped at step 1: particle 0 at (") && message.lines().count() == 1, "{message}");
+    assert!(
+        message.starts_with("error: stopped at step 1: particle 0 at (") && message.lines().count() == 1,
+        "{message}"
+    );
     assert_eq!(names(&out), ["frame_0000.png"]);
 }
 
@@ -139,7 +157,20 @@ fn run_writes_pictures_that_show_the_fluid() {
     for (scene, size, steps) in [("mpm88", (800, 800), "20"), ("bunny", (800, 700), "4")] {
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path().join("made/here");
-        let text = succeeds(&["run", "mpm", "--scene", scene, "--layout", "soa+row", "--steps", steps, "--frames", "2", "--out", out.to_str().unwrap()]);
+        let text = succeeds(&[
+            "run",
+            "mpm",
+            "--scene",
+            scene,
+            "--layout",
+            "soa+row",
+            "--steps",
+            steps,
+            "--frames",
+            "2",
+            "--out",
+            out.to_str().unwrap(),
+        ]);
         assert!(text.contains(&format!("{steps} steps")) && text.contains("steps a second"), "{text}");
         assert_eq!(names(&out), ["frame_0000.png", "frame_0001.png", "frame_0002.png"]);
         let picture = |n: usize| image::open(out.join(format!("frame_000{n}.png"))).unwrap().to_rgb8();
@@ -158,8 +189,22 @@ fn bench_compares_layouts_and_writes_its_report() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("bench.json");
     let text = succeeds(&[
-        "bench", "mpm", "--layouts", "aos+row,aosoa16+blocked4", "--schedules", "private,serial", "--particles", "2000", "--grid", "48",
-        "--threads", "2", "--steps", "22", "--json", path.to_str().unwrap(),
+        "bench",
+        "mpm",
+        "--layouts",
+        "aos+row,aosoa16+blocked4",
+        "--schedules",
+        "private,serial",
+        "--particles",
+        "2000",
+        "--grid",
+        "48",
+        "--threads",
+        "2",
+        "--steps",
+        "22",
+        "--json",
+        path.to_str().unwrap(),
     ]);
     assert!(text.contains("2000 particles, 48 x 48 nodes") && text.contains("2 threads"), "{text}");
     assert!(text.contains("all 4 end in the same state") && text.contains("in 11 interleaved repetitions"), "{text}");
@@ -172,8 +217,19 @@ fn bench_compares_layouts_and_writes_its_report() {
     let line = std::fs::read_to_string(&path).unwrap();
     assert_eq!(line.lines().count(), 1);
     assert_eq!(names(folder.path()), ["bench.json"]);
-    assert!(line.starts_with(r#"{"solver":"mpm","scene":"mpm88","particles":2000,"grid":[48,48],"threads":2,"isa":""#), "{line}");
-    let keys = [r#""rows":[{"layout":"aos+row","schedule":"private","ms_per_step":"#, r#","spread":"#, r#","kernels":{"scatter":"#, r#","grid":"#, r#","gather":"#, r#","bytes":"#, r#","state_error":0.0},{"#];
+    assert!(
+        line.starts_with(r#"{"solver":"mpm","scene":"mpm88","particles":2000,"grid":[48,48],"threads":2,"isa":""#),
+        "{line}"
+    );
+    let keys = [
+        r#""rows":[{"layout":"aos+row","schedule":"private","ms_per_step":"#,
+        r#","spread":"#,
+        r#","kernels":{"scatter":"#,
+        r#","grid":"#,
+        r#","gather":"#,
+        r#","bytes":"#,
+        r#","state_error":0.0},{"#,
+    ];
     let mut rest = line.as_str();
     for key in keys {
         (_, rest) = rest.split_once(key).unwrap_or_else(|| panic!("{key} is not in its place in {line}"));
@@ -181,7 +237,12 @@ fn bench_compares_layouts_and_writes_its_report() {
 
     let report: Report = serde_json::from_str(&line).unwrap();
     let rows: Vec<_> = report.rows.iter().map(|row| (row.layout.as_str(), row.schedule.as_str())).collect();
-    let layouts = [("aos+row", "private"), ("aos+row", "serial"), ("aosoa16+blocked4", "private"), ("aosoa16+blocked4", "serial")];
+    let layouts = [
+        ("aos+row", "private"),
+        ("aos+row", "serial"),
+        ("aosoa16+blocked4", "private"),
+        ("aosoa16+blocked4", "serial"),
+    ];
     assert_eq!(rows, layouts);
     for row in &report.rows {
         assert!(row.ms_per_step > 0.0 && row.spread >= 0.0 && row.state_error < 1e-6, "{row:?}");
@@ -197,7 +258,20 @@ fn a_bench_of_many_particles_sorts_them() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("bench.json");
     let json = path.to_str().unwrap();
-    succeeds(&["bench", "mpm", "--layouts", "soa+soa", "--particles", "70000", "--grid", "256", "--steps", "2", "--json", json]);
+    succeeds(&[
+        "bench",
+        "mpm",
+        "--layouts",
+        "soa+soa",
+        "--particles",
+        "70000",
+        "--grid",
+        "256",
+        "--steps",
+        "2",
+        "--json",
+        json,
+    ]);
     let report: Report = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
     assert!(report.rows[0].kernels.0.iter().any(|(name, _)| name == "sort"));
 }

@@ -38,41 +38,27 @@ versions! {
                     border_block::<B>(n, a, u, v, bi, bj);
                     continue;
                 }
-                let block = |at: usize| -> &[[f32; B]] { u[at..at + cells].as_chunks::<B>().0 };
-                let (middle, left, right) = (block(at), block(at - cells), block(at + cells));
-                let (up, down) = (block(at - blocks * cells), block(at + blocks * cells));
-                let out = v[at..at + cells].as_chunks_mut::<B>().0;
-                row(a, &up[B - 1], &middle[0], &middle[1], &left[0], &right[0], &mut out[0]);
-                for i in 1..B - 1 {
-                    row(a, &middle[i - 1], &middle[i], &middle[i + 1], &left[i], &right[i], &mut out[i]);
+                let rows = |at: usize| -> &[[f32; B]] { u[at..at + cells].as_chunks::<B>().0 };
+                let (middle, left, right) = (rows(at), rows(at - cells), rows(at + cells));
+                let (up, down) = (rows(at - blocks * cells), rows(at + blocks * cells));
+                let mut out = [[0.0; B]; B];
+                for i in 0..B {
+                    let above = if i == 0 { &up[B - 1] } else { &middle[i - 1] };
+                    let below = if i == B - 1 { &down[0] } else { &middle[i + 1] };
+                    // The row moved by one to either side: whole vectors from memory, of which one end is another block's.
+                    let start = at + i * B;
+                    let mut before: [f32; B] = u[start - 1..start - 1 + B].try_into().expect("B values");
+                    let mut after: [f32; B] = u[start + 1..start + 1 + B].try_into().expect("B values");
+                    before[0] = left[i][B - 1];
+                    after[B - 1] = right[i][0];
+                    for j in 0..B {
+                        out[i][j] = a * (above[j] + below[j] + before[j] + after[j]);
+                    }
                 }
-                row(a, &middle[B - 2], &middle[B - 1], &down[0], &left[B - 1], &right[B - 1], &mut out[B - 1]);
+                v[at..at + cells].as_chunks_mut::<B>().0.copy_from_slice(&out);
             }
         }
     }
-}
-
-#[inline(always)]
-fn row<const B: usize>(
-    a: f32,
-    up: &[f32; B],
-    row: &[f32; B],
-    down: &[f32; B],
-    left: &[f32; B],
-    right: &[f32; B],
-    out: &mut [f32; B],
-) {
-    // The row moved by one to either side, as whole vectors: shuffles instead of scalar ends.
-    let (mut before, mut after) = ([0.0; B], [0.0; B]);
-    before[1..].copy_from_slice(&row[..B - 1]);
-    before[0] = left[B - 1];
-    after[..B - 1].copy_from_slice(&row[1..]);
-    after[B - 1] = right[0];
-    let mut values = [0.0; B];
-    for j in 0..B {
-        values[j] = a * (up[j] + down[j] + before[j] + after[j]);
-    }
-    *out = values;
 }
 
 #[cold]

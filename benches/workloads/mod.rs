@@ -1,5 +1,5 @@
 //! The workloads as kernels, with the inputs that kernels and twins share.
 
-pub mod stencils;
-pub mod streams;
-pub mod transfer;
+pub(crate) mod stencils;
+pub(crate) mod streams;
+pub(crate) mod transfer;

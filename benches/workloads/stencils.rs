@@ -35,7 +35,11 @@ pub fn jacobi_member(a: f32, u: &Field<Four, _, Ij>, v: &mut Field<Four, _, Ij>)
 #[kernel]
 pub fn laplacian(p: &Field<f32, _, Ijk>, q: &mut Field<f32, _, Ijk>) {
     for (i, j, k) in q.interior(1) {
-        q[(i, j, k)] = p[(i - 1, j, k)] + p[(i + 1, j, k)] + p[(i, j - 1, k)] + p[(i, j + 1, k)] + p[(i, j, k - 1)]
+        q[(i, j, k)] = p[(i - 1, j, k)]
+            + p[(i + 1, j, k)]
+            + p[(i, j - 1, k)]
+            + p[(i, j + 1, k)]
+            + p[(i, j, k - 1)]
             + p[(i, j, k + 1)]
             - 6.0 * p[(i, j, k)];
     }

@@ -1,7 +1,156 @@
-//! # Allotrope
+//! *One algorithm, many layouts.* A kernel is written once, against named members and indices; how they lie in memory is a type,
+//! chosen elsewhere, and changed without touching the kernel. Its outermost loops run on all cores, and a kernel that
+//! could race does not compile.
 //!
-//! *One algorithm, many layouts.* A kernel is written once, against named members and indices; how they lie in memory
-//! is a type, chosen elsewhere, and changed without touching the kernel.
+//! | word | what it is | written as |
+//! | --- | --- | --- |
+//! | record | what one element holds | [`#[derive(Record)]`](macro@Record) on a plain struct of [elements](Element), or a bare element such as `f32` |
+//! | layout | how a space of records lies in memory | a type: [`layout!`](crate::layout!)`(dense(ij).dense(ij, 8).soa)`, or a named one such as [`Soa`](layout::Soa) |
+//! | field | storage: records `R` in the layout `L` over the axes `X` | [`Field<R, L, X>`](Field) |
+//! | kernel | a function over fields, whose outermost loops run in parallel | [`#[kernel]`](macro@kernel)` fn` |
+//!
+//! ```
+//! use allotrope::prelude::*;
+//!
+//! /// What one place of a pond holds.
+//! #[derive(Record, Clone, Copy, Default)]
+//! struct Water {
+//!     height: f32,
+//!     speed: f32,
+//! }
+//!
+//! /// A time step of the wave equation; returns the energy of motion.
+//! #[kernel]
+//! fn step(old: &Field<Water, _, Ij>, new: &mut Field<Water, _, Ij>, dt: f32) -> f32 {
+//!     let mut energy = 0.0;
+//!     for (i, j) in new.interior(1) {
+//!         let around = old.height[(i - 1, j)] + old.height[(i + 1, j)] + old.height[(i, j - 1)] + old.height[(i, j + 1)];
+//!         let speed = old.speed[(i, j)] + dt * (around - 4.0 * old.height[(i, j)]);
+//!         new.speed[(i, j)] = speed;
+//!         new.height[(i, j)] = old.height[(i, j)] + dt * speed;
+//!         energy += 0.5 * speed * speed;
+//!     }
+//!     energy
+//! }
+//!
+//! fn run<L: Layout<Ij>>() -> f32 {
+//!     let mut old = Field::<Water, L>::new([64, 48]);
+//!     old.set([20, 20], Water { height: 1.0, speed: 0.0 });
+//!     let mut new = old.clone();
+//!     let mut energy = 0.0;
+//!     for _ in 0..10 {
+//!         energy = step(&old, &mut new, 0.1);
+//!         std::mem::swap(&mut old, &mut new);
+//!     }
+//!     energy
+//! }
+//!
+//! let energy = run::<Aos>();
+//! assert!(energy > 0.0);
+//! assert!((run::<Soa>() - energy).abs() < 1e-6 * energy);
+//! assert!((run::<layout!(dense(ji).dense(ij, (4, 8)).soa)>() - energy).abs() < 1e-6 * energy);
+//! ```
+//!
+//! # Records
+//!
+//! A record is a struct with named members, 24 at most, whose types are [elements](Element): `f32 f64 i8..i64 u8..u64 bool`, glam's
+//! vectors, matrices and quaternions, and arrays `[T; N]` of elements. A bare element is a record of one unnamed member:
+//! `Field<f32, L, Ij>` is indexed as `u[(i, j)]`, a member of a struct as `grid.v[(i, j)]`, a whole record as `grid[(i, j)]`.
+//!
+//! # Layouts
+//!
+//! A layout is a chain of nodes from the root down, closed by how the records of the innermost one are placed. It says nothing of the
+//! record (unless it names members, and then it says whose), so that the same layout serves any. Axes are `i j k`, and their order is the
+//! order in memory, the last fastest.
+//!
+//! | part | meaning |
+//! | --- | --- |
+//! | `dense(ij)`, `dense(ji)` | a full block over the named axes, row-major, column-major |
+//! | `dense(ij, 8)`, `dense(ij, (4, 2))` | of constant size; any size, powers of two or not. The outermost node takes as many as the shape needs |
+//! | `.aos` | record after record |
+//! | `.soa` | for each member, all values of the node |
+//! | `.split` | for each scalar component of each member, all values of the node |
+//! | `.place([v, m], [split(c)])` | groups: each is interleaved, groups follow one another; `split` takes a member apart. Written with its record: `layout!(Node: dense(ij).place(..))` |
+//!
+//! Named ones, for any axes: [`Aos`](layout::Aos), [`Soa`](layout::Soa), [`Split`](layout::Split), [`AoSoA<N>`](layout::AoSoA) (blocks of `N` along the last
+//! axis, each member by member) and [`Blocked<N>`](layout::Blocked) (blocks of `N` along every axis).
+//!
+//! # Fields
+//!
+//! [`Field::new`] makes a field of zeros; the axes ([`I`], [`Ij`], [`Ijk`]) follow from the extents. Outside of kernels a field has `get`,
+//! `set`, `iter`, `fill`, `relayout`, and [`members`](Field::members) and [`members_mut`](Field::members_mut) for one member at a time. Values come and go in
+//! logical row-major order, whatever the layout. An index out of range panics, or is an error where the name begins with `try_`.
+//!
+//! # Kernels
+//!
+//! Parameters are fields (`&Field<R, _, X>`, `&mut Field<R, _, X>`; `_` stands for any layout, a named layout pins it) and any other Rust
+//! values. Each outermost `for` of the body is one parallel launch, run to its end before the next statement; all else at the top level
+//! is ordinary serial Rust. A kernel is a plain function: it may be a method, be generic and return a value.
+//!
+//! | loop head | runs over |
+//! | --- | --- |
+//! | `for p in points`, `for ij in grid`, `for (i, j) in grid` | the field's elements, each thread in the order in which they lie in memory. The index is `i32`, `IVec2` or `IVec3`, or a tuple of `i32` |
+//! | `for (i, j) in grid.interior(1)` | all but a border of that width |
+//! | `for i in 0..n`, `for (i, j) in ndrange!(0..n, 0..m)` | a range, without a field |
+//! | `for (a, b) in unroll!(0..3, 0..3)` | inner loops only: constants, unrolled at compile time |
+//! | `#[serial] for ..` | any iterator, on one thread, with any access |
+//!
+//! Inner loops, `if`, `match`, `while`, closures and calls of functions on values are plain Rust. `continue` skips an element.
+//!
+//! A variable of the top level that a parallel loop only accumulates into is a reduction. Reductions have a fixed order, and so they
+//! give the same bits for any number of threads and any instruction set.
+//!
+//! # What a loop may do to a field
+//!
+//! For each member the kernel finds how a loop uses it, and the loop gets a view of the member that can do this and no more. The first row that
+//! fits holds.
+//!
+//! | the loop | at | view |
+//! | --- | --- | --- |
+//! | only reads it | any index | read |
+//! | reads, writes, accumulates | its own index | own |
+//! | only accumulates, with one group of operators: {`+=`, `-=`}, {`*=`}, {`min_assign`}, {`max_assign`}, {`&=`}, {`\|=`}, {`^=`} | any index | accumulate |
+//! | anything else | | a compile error, which names the other access that it clashes with, and the cure |
+//!
+//! An index is a loop's own when each loop variable stands alone in a place of it: `p`, `ij`, `(j, i)`, `(i, 0)`, and `(i, k)` with any `k`. These are refused, among others:
+//!
+//! | refused | why | write instead |
+//! | --- | --- | --- |
+//! | `u[i] = u[i - 1]` | whether the neighbour is old or new depends on the threads | read one field and write another ([A0201](errors::A0201)) |
+//! | `b[perm[i]] = a[i]` | several iterations may write one element | a gather, or `+=` ([A0202](errors::A0202)) |
+//! | `m[q] += m[0]` | the value read is a part of a sum | two loops ([A0203](errors::A0203)) |
+//! | `let old = (m[q] += 1)` | the order of the threads | two loops ([A0210](errors::A0210)) |
+//! | `total += 1.0; if total > 9.0 { .. }` | a thread knows only its part of the sum | read it after the loop ([A0217](errors::A0217)) |
+//! | `break`, `return`, `?` | other iterations are on their way | `continue` ([A0116](errors::A0116)) |
+//!
+//! Each error has a code with a page in [`errors`]. Indices are checked: constant offsets once a launch, the
+//! unrolled stencil around a computed index once, others each time. An index out of range panics with kernel, field, index, shape and
+//! source line, after the other threads have stopped.
+//!
+//! # Schedules
+//!
+//! A [`Schedule`] says how launches run; results but for rounding do not depend on it. It holds for calls in a closure,
+//! `schedule.run(|| ..)`. An attribute sets the strategy of one loop: `#[scatter(Private)] for p in points { .. }`.
+//!
+//! | [`Scatter`] | how elements that many iterations accumulate into are updated |
+//! | --- | --- |
+//! | `Serial` | on one thread, plainly |
+//! | `Private` | each job into a copy of its own; the copies are combined in a fixed order |
+//! | `Atomic` | by compare-and-swap on each component |
+//! | `Auto` | the default: one of these, chosen from threads, extents and work |
+//!
+//! With `deterministic` these results too are the same bits for any number of threads; `Atomic` is refused then.
+//!
+//! | environment variable | sets |
+//! | --- | --- |
+//! | `ALLOTROPE_THREADS` | the number of threads, where the schedule does not; else all that the machine has |
+//! | `ALLOTROPE_CPU` | the instruction set: `baseline`, `avx2` or `avx512`, where the schedule does not; else the best that the machine has |
+//!
+//! # Not available yet
+//!
+//! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`), `morton` and padding; nested records and enums; loops over borders and
+//! colours; single members as parameters; `#[relaxed]`, `#[ordered]` and atomics that return the old value; `clamped`, `wrapped` and `or` reads;
+//! random numbers; saving and loading. Where one of these words is used, the error says so.
 
 // Expansions name this crate from outside; inside (tests, examples in docs) it is the same name.
 extern crate self as allotrope;
@@ -35,3 +184,8 @@ pub use launch::cpu::Cpu;
 pub use layout::Layout;
 pub use record::{MAX_MEMBERS, Record};
 pub use schedule::{MAX_THREADS, Scatter, Schedule};
+
+/// The examples of the README, compiled and run as documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+pub struct Readme;

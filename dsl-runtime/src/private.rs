@@ -1,7 +1,7 @@
 //! What the macros' expansions call. Nothing here is for users: it changes with the macros, whose version is locked.
 
 pub use crate::launch::{
-    Cell, Options, Partial, Reduction, Run, Space, Strip, Task, interior, launch, launch_own, over, range, reduction,
+    Cell, Options, Outs, Partial, Reduction, Run, Space, Strip, Task, interior, launch, launch_own, over, range, reduction,
 };
 pub use crate::number::{BitAnd, BitOr, BitXor, ComponentMul, Max, Min, Product, Sum};
 pub use crate::record::{At, ElementList, MemberMuts, MemberRefs, MemberSpec, Path, Tag, Whole};

@@ -241,7 +241,8 @@ fn pieces(each: f64, asked: Option<u64>, reorder: u64) -> Vec<u64> {
     let steps = asked.unwrap_or_else(affordable);
     let rounds = steps / round;
     let repetitions = REPETITIONS.min(rounds);
-    let mut pieces: Vec<u64> = (0..repetitions).map(|n| (rounds * (n + 1) / repetitions - rounds * n / repetitions) * round).collect();
+    let mut pieces: Vec<u64> =
+        (0..repetitions).map(|n| (rounds * (n + 1) / repetitions - rounds * n / repetitions) * round).collect();
     if let Some(last) = pieces.last_mut() {
         *last += steps % round;
     }
@@ -311,13 +312,16 @@ fn text(report: &Report, about: &About) -> String {
     );
     if report.rows.len() > 1 {
         text += &format!(
-            "all {} end in the same state: positions differ by at most {:.1e} after {} steps\n",
+            "all {} end in the same state: after {} steps positions differ by at most {}\n",
             report.rows.len(),
-            about.agreement,
-            about.verified
+            about.verified,
+            error_digits(about.agreement)
         );
     }
-    text += &format!("{} steps each, in {} interleaved repetitions, to {:.4} s\n\n", about.steps, about.repetitions, about.time);
+    text += &format!(
+        "{} steps each, in {} interleaved repetitions, to {:.4} s\n\n",
+        about.steps, about.repetitions, about.time
+    );
 
     let kernels: Vec<&str> = report.rows[0].kernels.0.iter().map(|(name, _)| name.as_str()).collect();
     let mut headline = vec!["layout", "schedule", "ms/step", "spread"];
@@ -327,15 +331,24 @@ fn text(report: &Report, about: &About) -> String {
     let mut table = Table::new(headline, 2);
     for row in &report.rows {
         let total: f64 = row.kernels.0.iter().map(|(_, time)| time).sum();
-        let mut cells = vec![row.layout.clone(), row.schedule.clone(), four_digits(row.ms_per_step), format!("{:.1} %", 100.0 * row.spread)];
+        let mut cells = vec![
+            row.layout.clone(),
+            row.schedule.clone(),
+            four_digits(row.ms_per_step),
+            format!("{:.1} %", 100.0 * row.spread),
+        ];
         cells.extend(row.kernels.0.iter().map(|(_, time)| format!("{:.0} %", 100.0 * time / total)));
         cells.push(format!("{:.1}", row.ms_per_step * 1e6 / report.particles as f64));
         cells.push(format!("{:.2}", row.bytes as f64 / f64::from(1 << 20)));
-        cells.push(format!("{:.1e}", row.state_error));
+        cells.push(error_digits(row.state_error));
         cells.push(format!("{:.2}", row.ms_per_step / best));
         table.row(cells);
     }
     text + &table.text()
+}
+
+fn error_digits(value: f64) -> String {
+    if value == 0.0 { "0".into() } else { format!("{value:.1e}") }
 }
 
 fn four_digits(value: f64) -> String {
@@ -372,7 +385,7 @@ mod tests {
 
     #[test]
     fn repetitions_take_the_steps_asked_for_in_whole_rounds() {
-        assert_eq!(pieces(1.0, Some(25), 0), [2, 2, 2, 3, 2, 2, 3, 2, 2, 2, 3]);
+        assert_eq!(pieces(1.0, Some(25), 0), [2, 2, 2, 3, 2, 2, 2, 3, 2, 2, 3]);
         assert_eq!(pieces(1.0, Some(3), 0), [1, 1, 1]);
         assert_eq!(pieces(1.0, Some(3), 32), [1, 1, 1]);
         assert_eq!(pieces(1.0, Some(70), 32), [32, 38]);

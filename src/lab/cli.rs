@@ -128,8 +128,12 @@ impl What {
         let file = name.contains(['/', '\\', '.']) || Path::new(name).is_file();
         let mut scene = if file && !built_in { Scene::load(Path::new(name))? } else { solver.scene(name)? };
         if scene.solver != solver.name {
-            allotrope_solvers::solver(&scene.solver).map_err(|fault| LabError::usage(format!("scene `{name}`: `solver` is wrong: {fault}")))?;
-            return Err(LabError::usage(format!("scene `{name}` is for the solver `{}`, not `{}`", scene.solver, solver.name)));
+            allotrope_solvers::solver(&scene.solver)
+                .map_err(|fault| LabError::usage(format!("scene `{name}`: `solver` is wrong: {fault}")))?;
+            return Err(LabError::usage(format!(
+                "scene `{name}` is for the solver `{}`, not `{}`",
+                scene.solver, solver.name
+            )));
         }
         if let Some(nodes) = self.grid {
             scene = scene.with_grid(nodes)?;
@@ -162,7 +166,9 @@ fn words(list: &str) -> Vec<&str> {
 /// One line that tells what is wrong, and what was probably meant.
 pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Cli, LabError> {
     Cli::try_parse_from(arguments).map_err(|error| match error.kind() {
-        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => error.exit(),
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            error.exit()
+        }
         _ => LabError::usage(brief(&error)),
     })
 }
@@ -214,7 +220,16 @@ impl RunArguments {
         let schedule = NamedSchedule::find(&self.schedule).map_err(LabError::usage)?;
         let steps = self.what.steps.unwrap_or(scene.steps);
         let every = self.every.unwrap_or_else(|| (steps / self.frames).max(1));
-        run::run(&run::Plan { solver, scene, layout: layout.name, schedule, threads: self.what.threads, steps, every, out: self.out })
+        run::run(&run::Plan {
+            solver,
+            scene,
+            layout: layout.name,
+            schedule,
+            threads: self.what.threads,
+            steps,
+            every,
+            out: self.out,
+        })
     }
 }
 
@@ -234,7 +249,8 @@ impl BenchArguments {
             return Err(LabError::usage("`--layouts` and `--schedules` each want at least one name"));
         }
         let name = self.what.scene.clone().unwrap_or_else(|| solver.scenes[0].name.to_string());
-        let plan = bench::Plan { solver, name, scene, layouts, schedules, threads: self.what.threads, steps: self.what.steps };
+        let plan =
+            bench::Plan { solver, name, scene, layouts, schedules, threads: self.what.threads, steps: self.what.steps };
         bench::bench(&plan, self.json.as_deref())
     }
 }

@@ -28,6 +28,9 @@ pub fn text() -> String {
         schedules.row([format!("    {}", schedule.name), schedule.about.to_string()]);
     }
     text.push_str(&schedules.text());
-    let _ = writeln!(text, "The first scene, layout and schedule are the defaults. Scenes can also be files: see solvers/SCENES.md.");
+    let _ = writeln!(
+        text,
+        "The first scene, layout and schedule are the defaults. Scenes can also be files: see solvers/SCENES.md."
+    );
     text
 }

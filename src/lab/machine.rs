@@ -19,7 +19,11 @@ pub struct NamedSchedule {
 pub const SCHEDULES: &[NamedSchedule] = &[
     NamedSchedule { name: "auto", about: "chosen from threads, extents and work", scatter: Scatter::Auto },
     NamedSchedule { name: "serial", about: "accumulates on one thread, with plain adds", scatter: Scatter::Serial },
-    NamedSchedule { name: "private", about: "each job accumulates into blocks of its own, which are then combined", scatter: Scatter::Private },
+    NamedSchedule {
+        name: "private",
+        about: "each job accumulates into blocks of its own, which are then combined",
+        scatter: Scatter::Private,
+    },
     NamedSchedule { name: "atomic", about: "compare-and-swap on each component", scatter: Scatter::Atomic },
 ];
 
@@ -27,9 +31,13 @@ impl NamedSchedule {
     /// The schedule of that name; if there is none, why.
     pub fn find(name: &str) -> Result<Self, String> {
         let names = SCHEDULES.iter().map(|schedule| schedule.name);
-        SCHEDULES.iter().find(|schedule| schedule.name == name).copied().ok_or_else(|| match nearest(name, names.clone()) {
-            Some(near) => format!("there is no schedule `{name}`; did you mean `{near}`?"),
-            None => format!("there is no schedule `{name}`; known are `{}`", names.collect::<Vec<_>>().join("`, `")),
+        SCHEDULES.iter().find(|schedule| schedule.name == name).copied().ok_or_else(|| {
+            match nearest(name, names.clone()) {
+                Some(near) => format!("there is no schedule `{name}`; did you mean `{near}`?"),
+                None => {
+                    format!("there is no schedule `{name}`; known are `{}`", names.collect::<Vec<_>>().join("`, `"))
+                }
+            }
         })
     }
 
@@ -61,6 +69,8 @@ pub fn check() -> Result<(), LabError> {
 /// The processor's own name, where the system tells it.
 pub fn processor() -> String {
     let told = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let model = told.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": ").map(|(_, model)| model.trim().to_string()));
+    let model = told
+        .lines()
+        .find_map(|line| line.strip_prefix("model name")?.split_once(": ").map(|(_, model)| model.trim().to_string()));
     model.unwrap_or_else(|| format!("{} processor", std::env::consts::ARCH))
 }

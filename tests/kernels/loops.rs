@@ -114,13 +114,14 @@ fn steps(u: &mut Field<i32, _>, mut count: i32, twice: bool) -> i32 {
         count -= 1;
         done += 1;
     }
-    match twice {
-        true => {
+    match (twice, count) {
+        (true, 0) => {
             for p in 0..1 {
                 u[p] = -1;
             }
         }
-        false => {}
+        (true, _) => u[0] = -2,
+        (false, _) => {}
     }
     u[1] * 100 + done
 }
@@ -307,13 +308,15 @@ fn plain_rust(u: &mut Field<i32, _>, names: &[&str], offset: Option<i32>) {
         let add = |x: i32| x + offset;
         let mut k = 0;
         let found = 'search: loop {
+            if k == 3 {
+                break -1;
+            }
             while k < 3 {
                 if table[k] == 2 {
                     break 'search k as i32;
                 }
                 k += 1;
             }
-            break -1;
         };
         debug_assert_eq!(names[0].len(), 5, "{table:?}");
         u[p] = add(found) + u.len() as i32;
@@ -325,4 +328,47 @@ fn bodies_are_plain_rust() {
     let mut u = Field::<i32, Soa>::new([6]);
     plain_rust(&mut u, &["first"], Some(10));
     assert!(u.iter().all(|x| x == 17));
+}
+
+#[kernel]
+fn configured(u: &mut Field<i32, _>) {
+    for p in u {
+        #[cfg(any())]
+        u[p] = "never compiled";
+        #[cfg(not(any()))]
+        u[p] += 1;
+    }
+    #[allow(clippy::identity_op)]
+    for p in u {
+        u[p] += 0;
+    }
+}
+
+#[test]
+fn attributes_hold() {
+    let mut u = Field::<i32, Aos>::new([3]);
+    configured(&mut u);
+    assert!(u.iter().all(|x| x == 1));
+}
+
+#[kernel]
+fn heads_read_fields(u: &mut Field<i32, _>, width: &Field<u32, _>) {
+    u[0] = 3;
+    for p in 1..u[0] {
+        u[p] = 7;
+    }
+    for p in u.interior(width[0]) {
+        u[p] += 1;
+    }
+    for p in 0..u.len() {
+        u[p] *= 2;
+    }
+}
+
+#[test]
+fn heads_are_evaluated_before_the_loop_takes_its_fields() {
+    let (mut u, mut width) = (Field::<i32, Soa>::new([6]), Field::<u32, Aos>::new([1]));
+    width.set(0, 2);
+    heads_read_fields(&mut u, &width);
+    assert_eq!(u.iter().collect::<Vec<_>>(), [6, 14, 16, 2, 0, 0]);
 }

@@ -1,16 +1,19 @@
 //! Kernels through the public interface, in several layouts.
 
+mod accumulate;
+mod captures;
 mod loops;
 mod mpm;
+mod panics;
+mod reductions;
 mod stencils;
+mod unrolled;
 
 use allotrope::prelude::*;
 
 /// A grid node.
 #[derive(Record, Clone, Copy, Default, Debug, PartialEq)]
-pub struct Node {
-    /// Velocity.
-    pub v: Vec2,
-    /// Mass.
-    pub m: f32,
+struct Node {
+    v: Vec2,
+    m: f32,
 }

@@ -34,7 +34,11 @@ fn jacobi_in_any_layout() {
         for (i, j) in (0..19).flat_map(|i| (0..23).map(move |j| (i, j))) {
             let border = i == 0 || j == 0 || i == 18 || j == 22;
             let near = |a: i32, b: i32| u.get((i + a, j + b));
-            let mean = 0.25 * (near(-1 + border as i32, 0) + near(1 - border as i32, 0) + near(0, -1 + border as i32) + near(0, 1 - border as i32));
+            let mean = 0.25
+                * (near(-1 + border as i32, 0)
+                    + near(1 - border as i32, 0)
+                    + near(0, -1 + border as i32)
+                    + near(0, 1 - border as i32));
             let expected = if border { u.get((i, j)) } else { mean };
             assert_eq!((v.get((i, j)), w.get((i, j))), (expected, expected), "({i}, {j})");
         }

@@ -67,5 +67,6 @@ pub(crate) fn advance(simulation: &mut dyn Simulation, schedule: Schedule, steps
 pub(crate) fn difference(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     assert_eq!(a.len(), b.len());
     let differences = a.iter().flatten().zip(b.iter().flatten()).map(|(a, b)| (a - b).abs());
-    differences.fold(0.0, |largest, difference| if difference > largest || difference.is_nan() { difference } else { largest })
+    differences
+        .fold(0.0, |largest, difference| if difference > largest || difference.is_nan() { difference } else { largest })
 }

@@ -54,7 +54,9 @@ impl Access {
         match (&self.place, &other.place) {
             (Place::Places(a), Place::Places(b)) => {
                 let count = a.iter().chain(b).filter_map(Slot::variable).max().map_or(0, |last| last + 1);
-                let together = |variable| a.iter().zip(b).any(|(a, b)| a.variable() == Some(variable) && b.variable() == Some(variable));
+                let together = |variable| {
+                    a.iter().zip(b).any(|(a, b)| a.variable() == Some(variable) && b.variable() == Some(variable))
+                };
                 a.len() != b.len() || !(0..count).all(together)
             }
             (Place::Own, Place::Own) => false,
@@ -247,7 +249,8 @@ pub(crate) fn plan(kernel: &Kernel, number: usize) -> Plan {
         if view == View::Accumulate {
             plan.note_target(access);
         }
-        let same = |planned: &Planned| planned.field == access.field && planned.path == access.path && planned.view == view;
+        let same =
+            |planned: &Planned| planned.field == access.field && planned.path == access.path && planned.view == view;
         let place = plan.views.iter().position(same).unwrap_or_else(|| {
             plan.views.push(Planned { field: access.field, path: access.path.clone(), view });
             plan.views.len() - 1
@@ -260,7 +263,8 @@ pub(crate) fn plan(kernel: &Kernel, number: usize) -> Plan {
 
 /// The first row of the language's table that fits.
 fn view(kernel: &Kernel, number: usize, access: &Access) -> View {
-    let others = || kernel.loops[number].accesses.iter().map(|node| kernel.access(*node)).filter(|other| access.overlaps(other));
+    let others =
+        || kernel.loops[number].accesses.iter().map(|node| kernel.access(*node)).filter(|other| access.overlaps(other));
     if !others().any(Access::changes) {
         return match &access.place {
             Place::Own => View::Row(kernel.loops[number].rank.map_or(Vec::new(), |rank| vec![0; rank])),

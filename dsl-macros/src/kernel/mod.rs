@@ -7,9 +7,9 @@ mod lower;
 mod model;
 mod parse;
 mod syntax;
-mod text;
 #[cfg(test)]
 mod tests;
+mod text;
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -129,9 +129,16 @@ pub(crate) enum Slot {
 pub(crate) enum Action {
     Read,
     /// `= value`, to the part that the projections name.
-    Write { part: Vec<Projection>, value: Expr },
+    Write {
+        part: Vec<Projection>,
+        value: Expr,
+    },
     /// `op= value`.
-    Update { part: Vec<Projection>, op: Op, value: Expr },
+    Update {
+        part: Vec<Projection>,
+        op: Op,
+        value: Expr,
+    },
 }
 
 /// One step from an element to a part of it.

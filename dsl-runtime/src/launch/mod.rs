@@ -8,6 +8,7 @@ mod space;
 
 use core::marker::PhantomData;
 use core::ops::Range;
+use std::sync::{Mutex, PoisonError};
 
 pub use reduction::{Partial, Reduction, Strip, reduction};
 pub use run::{Cell, Run};
@@ -138,8 +139,27 @@ fn grain(schedule: &Schedule, heavy: bool) -> usize {
     }
 }
 
-/// Results of blocks, in order.
-pub(crate) type Outs<Out> = Vec<Out>;
+/// Results of blocks, in order. One needs no memory.
+#[doc(hidden)]
+#[derive(Debug)]
+pub struct Outs<Out>(Results<Out>);
+
+#[derive(Debug)]
+enum Results<Out> {
+    One(Option<Out>),
+    Many(std::vec::IntoIter<Out>),
+}
+
+impl<Out> Iterator for Outs<Out> {
+    type Item = Out;
+    #[inline]
+    fn next(&mut self) -> Option<Out> {
+        match &mut self.0 {
+            Results::One(out) => out.take(),
+            Results::Many(outs) => outs.next(),
+        }
+    }
+}
 
 /// Runs a loop whose rows may reach outside of their fields, or that accumulates.
 #[doc(hidden)]
@@ -169,7 +189,7 @@ fn start<const CAREFUL: bool, S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + S
     assert!(CAREFUL || (options.fits && options.targets.is_empty()), "such a loop has a careful version");
     let (units, elements) = (space.units(), space.elements());
     if units == 0 || elements == 0 {
-        return Outs::new();
+        return Outs(Results::One(None));
     }
     let schedule = Schedule::current();
     let cpu = schedule.instruction_set();
@@ -188,7 +208,7 @@ fn start<const CAREFUL: bool, S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + S
         scatter::execute(&plan, options.targets, blocks, &|b, roots| {
             run(b, roots);
         });
-        return Outs::new();
+        return Outs(Results::One(None));
     }
     let outs = Slots::new(blocks);
     scatter::execute(&plan, options.targets, blocks, &|b, roots| outs.put(b, run(b, roots)));
@@ -196,18 +216,27 @@ fn start<const CAREFUL: bool, S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + S
 }
 
 /// One result a block, put by whichever thread runs it.
-struct Slots<Out>(Vec<std::sync::Mutex<Option<Out>>>);
+struct Slots<Out> {
+    first: Mutex<Option<Out>>,
+    others: Vec<Mutex<Option<Out>>>,
+}
 
 impl<Out> Slots<Out> {
     fn new(blocks: usize) -> Self {
-        Self((0..blocks).map(|_| std::sync::Mutex::new(None)).collect())
+        Self { first: Mutex::new(None), others: (1..blocks).map(|_| Mutex::new(None)).collect() }
     }
     fn put(&self, b: usize, out: Out) {
-        *self.0[b].lock().unwrap_or_else(std::sync::PoisonError::into_inner) = Some(out);
+        let slot = if b == 0 { &self.first } else { &self.others[b - 1] };
+        *slot.lock().unwrap_or_else(PoisonError::into_inner) = Some(out);
     }
-    fn take(self) -> Vec<Out> {
-        let results = self.0.into_iter().map(|slot| slot.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner));
-        results.map(|out| out.expect("every block ran")).collect()
+    fn take(self) -> Outs<Out> {
+        let result = |slot: Mutex<Option<Out>>| slot.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let first = result(self.first);
+        if self.others.is_empty() {
+            return Outs(Results::One(first));
+        }
+        let all: Option<Vec<Out>> = core::iter::once(first).chain(self.others.into_iter().map(result)).collect();
+        Outs(Results::Many(all.expect("every block ran").into_iter()))
     }
 }
 

@@ -10,10 +10,10 @@ use crate::number::{Number, Operator, Sum, identity, zip};
 use crate::view::negative;
 
 /// The longest strip of a run whose contributions are buffered.
-pub(crate) const STRIP: usize = 4 * LANES;
+pub(crate) const STRIP: usize = LANES;
 
 /// Partial results a block: contribution `k` of a strip goes to lane `k % LANES`, whatever the instruction set.
-const LANES: usize = 16;
+const LANES: usize = 64;
 
 /// The operator and type of a reduction.
 #[doc(hidden)]

@@ -42,17 +42,22 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
     /// The loop's variables at coordinates.
     fn tuple(at: [i64; MAX_AXES]) -> Self::Tuple;
 
-    /// Whether the whole box, moved by the offsets `low` to `high`, lies within a field.
+    /// Whether the whole box, moved by the offsets `low` to `high`, lies within a field. No offsets mean zeros.
     fn fits<const N: usize, R: Record, L: Layout<X>, X: Axes, const WRITE: bool>(
         &self,
         field: View<'_, R, L, X, WRITE>,
         low: [i64; N],
         high: [i64; N],
     ) -> bool {
+        const { assert!(N == 0 || N == X::RANK, "as many offsets as the field has axes") }
         let (first, end) = self.bounds();
         let shape = &field.handle.geometry.shape;
-        let empty = self.elements() == 0;
-        empty || (0..N).all(|a| first[a] + low[a] >= 0 && end[a] + high[a] <= i64::from(shape[a]))
+        let within = |a: usize| {
+            let (low, high) = if N == 0 { (0, 0) } else { (low[a], high[a]) };
+            let (first, end) = (first[a].saturating_add(low), end[a].saturating_add(high));
+            first >= 0 && end <= i64::from(shape[a])
+        };
+        Self::RANK == X::RANK && (self.elements() == 0 || (0..X::RANK).all(within))
     }
 }
 

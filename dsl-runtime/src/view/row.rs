@@ -115,13 +115,23 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
     }
 
     /// The address of a cell (`Even` and `Blocks`).
+    ///
+    /// # Safety
+    /// The loop's box with this offset lies within the shape (`fits`), and the cell is of the run of this line.
     #[inline(always)]
-    fn address(&self, cell: &Cell<'_, S>) -> *mut u8 {
+    unsafe fn address(&self, cell: &Cell<'_, S>) -> *mut u8 {
         let geometry = &self.handle.geometry;
         match Self::KIND {
             Kind::Even => {
                 let step = if Self::ADJACENT { 1 } else { geometry.stride[S::AXIS] };
-                self.start.wrapping_add(cell.k.wrapping_mul(step.wrapping_mul(Self::STRIDE)))
+                let bytes = cell.k.wrapping_mul(step.wrapping_mul(Self::STRIDE));
+                if S::RUN == 0 {
+                    // SAFETY: element 0 is visited too, so that it and the cell both lie in the field's memory.
+                    unsafe { self.start.add(bytes) }
+                } else {
+                    // Element 0 of a cut run may lie outside.
+                    self.start.wrapping_add(bytes)
+                }
             }
             Kind::Blocks => {
                 let along = self.offset[S::AXIS];
@@ -173,7 +183,8 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
             // SAFETY: `checked` returns places within the shape; who else may touch them is the view's promise.
             return unsafe { self.handle.read::<P>(at) };
         }
-        let (address, component) = (self.address(cell), self.component());
+        // SAFETY: `fits`, and the macro hands a line the cells of its run alone.
+        let (address, component) = (unsafe { self.address(cell) }, self.component());
         // SAFETY: the launch found that the loop's box with this offset lies within the shape, so the address is that of
         // a component of an element; who else may touch it is the view's promise.
         unsafe {
@@ -196,7 +207,8 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
             // SAFETY: `checked` returns places within the shape; the caller has the element.
             return unsafe { self.handle.write::<P>(at, value) };
         }
-        let (address, component) = (self.address(cell), self.component());
+        // SAFETY: as in `get`.
+        let (address, component) = (unsafe { self.address(cell) }, self.component());
         // SAFETY: as in `get`; the caller has the element.
         unsafe {
             P::scatter(
@@ -370,7 +382,8 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b
         let this = Self { line: Line::new(handle, site, run, [0; MAX_AXES]), buffer };
         if this.holds(run) {
             if Self::DENSE {
-                let from = this.line.address(&run.cell(0, true)).cast::<MaybeUninit<u8>>();
+                // SAFETY: a whole run of a loop that `fits`.
+                let from = unsafe { this.line.address(&run.cell(0, true)) }.cast::<MaybeUninit<u8>>();
                 // SAFETY: the run's values lie one after another, as in the buffer, which has room for `RUN` of them.
                 unsafe { from.copy_to_nonoverlapping(buffer.0.get().cast(), Self::BYTES) };
             } else {
@@ -424,7 +437,8 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b
             return;
         }
         if Self::DENSE {
-            let to = self.line.address(&run.cell(0, true)).cast::<MaybeUninit<u8>>();
+            // SAFETY: a whole run of a loop that `fits`.
+            let to = unsafe { self.line.address(&run.cell(0, true)) }.cast::<MaybeUninit<u8>>();
             // SAFETY: as in `new`; the run's elements are this thread's own.
             unsafe { to.copy_from_nonoverlapping(self.buffer.0.get().cast(), Self::BYTES) };
             return;

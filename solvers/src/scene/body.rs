@@ -150,8 +150,9 @@ impl Shape {
                 positions
             }
             Self::Ball { center, radius } => {
-                let from = center.map(|c| c - radius);
-                let to = center.map(|c| c + radius);
+                // A lattice of the very spacing, that is symmetrical about the centre.
+                let reach = 0.5 * spacing * (2.0 * radius / spacing).ceil();
+                let (from, to) = (center.map(|c| c - reach), center.map(|c| c + reach));
                 let inside = |x: &[f64; 3]| (0..dimensions).map(|axis| (x[axis] - center[axis]).powi(2)).sum::<f64>() <= radius * radius;
                 lattice(from, to, spacing, dimensions).into_iter().filter(inside).collect()
             }

@@ -27,7 +27,8 @@ impl Camera {
     /// have after falling all the way.
     pub fn new(simulation: &dyn Simulation, scene: &Scene) -> Self {
         let fastest = simulation.velocities().iter().map(length).fold(0.0, f64::max);
-        let fall = simulation.extent().iter().zip(&scene.gravity).map(|(extent, gravity)| extent * gravity.abs()).sum::<f64>();
+        let fall =
+            simulation.extent().iter().zip(&scene.gravity).map(|(extent, gravity)| extent * gravity.abs()).sum::<f64>();
         let top_speed = (fastest * fastest + 2.0 * fall).sqrt();
         Self { top_speed: if top_speed > 0.0 { top_speed } else { 1.0 } }
     }
@@ -37,7 +38,8 @@ impl Camera {
     /// # Errors
     /// If the picture cannot be encoded.
     pub fn png(&self, simulation: &dyn Simulation) -> Result<Vec<u8>, LabError> {
-        let canvas = if simulation.dimensions() == 2 { plane::draw(self, simulation) } else { space::draw(self, simulation) };
+        let canvas =
+            if simulation.dimensions() == 2 { plane::draw(self, simulation) } else { space::draw(self, simulation) };
         encode(&canvas)
     }
 

@@ -41,7 +41,8 @@ pub(super) fn draw(camera: &Camera, simulation: &dyn Simulation) -> Canvas {
     let cover = |column: usize, row: usize| 1.0 - (-2.2 * density[row * columns + column]).exp();
     Canvas::of(columns, rows, |column, row| {
         // Distance into the tank; its wall is drawn two pixels wide.
-        let inward = [column, columns - 1 - column, row, rows - 1 - row].into_iter().min().unwrap_or(0) as f64 + 0.5 - wall;
+        let inward =
+            [column, columns - 1 - column, row, rows - 1 - row].into_iter().min().unwrap_or(0) as f64 + 0.5 - wall;
         let back = if inward < -2.0 {
             night
         } else if inward < 0.0 {

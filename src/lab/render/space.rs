@@ -67,6 +67,8 @@ struct View {
     ahead: Vec3,
     /// Pixels of a length that is as far off as it is long.
     focus: f64,
+    /// What lies in the middle of the picture, right of and above straight ahead, per depth.
+    middle: [f64; 2],
     /// The inner corners of the tank.
     low: Vec3,
     high: Vec3,
@@ -86,14 +88,16 @@ impl View {
         let up = cross(right, ahead);
         // Twice the size of the picture, for smooth edges.
         let (columns, rows) = (2 * SIDE, 2 * SIDE * 7 / 8);
-        let mut view = Self { columns, rows, eye, right, up, ahead, focus: 1.0, low, high };
-        // The focus that makes the farthest corner just fit.
-        let corners = view.corners();
-        let spans = corners.iter().map(|&corner| {
+        let mut view = Self { columns, rows, eye, right, up, ahead, focus: 1.0, middle: [0.0; 2], low, high };
+        // The focus and the middle with which the tank just fits.
+        let corners = view.corners().map(|corner| {
             let (x, y, depth) = view.turned(corner);
-            (x.abs() / depth / (0.47 * columns as f64)).max(y.abs() / depth / (0.47 * rows as f64))
+            [x / depth, y / depth]
         });
-        view.focus = 1.0 / spans.fold(0.0, f64::max);
+        let end = |axis: usize, pick: fn(f64, f64) -> f64| corners.iter().map(|corner| corner[axis]).reduce(pick).unwrap_or(0.0);
+        let (low, high) = ([end(0, f64::min), end(1, f64::min)], [end(0, f64::max), end(1, f64::max)]);
+        view.focus = (0.94 * columns as f64 / (high[0] - low[0])).min(0.94 * rows as f64 / (high[1] - low[1]));
+        view.middle = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
         view
     }
 
@@ -106,18 +110,20 @@ impl View {
     /// Column, row and depth.
     fn project(&self, x: Vec3) -> (f64, f64, f64) {
         let (right, up, depth) = self.turned(x);
-        let scale = self.focus / depth;
-        (0.5 * self.columns as f64 + right * scale, 0.5 * self.rows as f64 - up * scale, depth)
+        let (x, y) = (right / depth - self.middle[0], up / depth - self.middle[1]);
+        (0.5 * self.columns as f64 + x * self.focus, 0.5 * self.rows as f64 - y * self.focus, depth)
     }
 
     /// The direction in which a pixel looks, one long along the view.
     fn ray(&self, column: f64, row: f64) -> Vec3 {
         let (x, y) = ((column - 0.5 * self.columns as f64) / self.focus, (0.5 * self.rows as f64 - row) / self.focus);
-        plus(plus(self.ahead, self.right, x), self.up, y)
+        plus(plus(self.ahead, self.right, x + self.middle[0]), self.up, y + self.middle[1])
     }
 
     fn corners(&self) -> [Vec3; 8] {
-        std::array::from_fn(|n| std::array::from_fn(|axis| if n >> axis & 1 == 0 { self.low[axis] } else { self.high[axis] }))
+        std::array::from_fn(|n| {
+            std::array::from_fn(|axis| if n >> axis & 1 == 0 { self.low[axis] } else { self.high[axis] })
+        })
     }
 
     /// The edges of the tank that lie behind the fluid: those which do not meet the corner next to the eye.
@@ -206,7 +212,11 @@ impl Surface {
         let across = smaller(minus(at(c + 1, row), here), minus(here, at(c - 1, row)));
         let down = smaller(minus(at(column, r + 1), here), minus(here, at(column, r - 1)));
         let normal = unit(cross(down, across));
-        if normal.iter().all(|component| component.is_finite()) { normal } else { view.ahead.map(|component| -component) }
+        if normal.iter().all(|component| component.is_finite()) {
+            normal
+        } else {
+            view.ahead.map(|component| -component)
+        }
     }
 }
 
@@ -246,7 +256,8 @@ impl Shadow {
             for (n, cover) in self.cover.iter_mut().enumerate() {
                 let place = n / stride % self.cells;
                 let range = place.saturating_sub(2)..=(place + 2).min(self.cells - 1);
-                *cover = range.clone().map(|other| before[n + other * stride - place * stride]).sum::<f32>() / range.count() as f32;
+                *cover = range.clone().map(|other| before[n + other * stride - place * stride]).sum::<f32>()
+                    / range.count() as f32;
             }
         }
     }
@@ -255,7 +266,8 @@ impl Shadow {
     fn light(&self, x: Vec3) -> f32 {
         let (i, k) = self.cell(x);
         let at = |i: f64, k: f64| {
-            let (i, k) = (i.clamp(0.0, (self.cells - 1) as f64) as usize, k.clamp(0.0, (self.cells - 1) as f64) as usize);
+            let (i, k) =
+                (i.clamp(0.0, (self.cells - 1) as f64) as usize, k.clamp(0.0, (self.cells - 1) as f64) as usize);
             self.cover[i * self.cells + k]
         };
         let (i, k) = (i - 0.5, k - 0.5);
@@ -286,7 +298,8 @@ fn shade(view: &View, surface: &Surface, shadow: &Shadow, column: usize, row: us
     let background = Colour::hex(NIGHT).mix(Colour::hex(0x1a2338), 1.0 - row as f32 / view.rows as f32);
     let distance = (view.low[1] - view.eye[1]) / ray[1];
     let floor = plus(view.eye, ray, distance);
-    let on_floor = distance > 0.0 && [0, 2].into_iter().all(|axis| (view.low[axis]..=view.high[axis]).contains(&floor[axis]));
+    let on_floor =
+        distance > 0.0 && [0, 2].into_iter().all(|axis| (view.low[axis]..=view.high[axis]).contains(&floor[axis]));
     if on_floor { Colour::hex(0x46536e) * shadow.light(floor) } else { background }
 }
 

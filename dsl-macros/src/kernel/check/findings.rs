@@ -58,7 +58,9 @@ fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
                 diagnostics
                     .error(Code::FieldMethod, at, format!("`{field}.{name}` cannot be called inside a parallel loop"))
                     .note("the loop holds the field until it ends")
-                    .help(format!("call it before or after the loop; inside, elements are read and written as `{field}[..]`"));
+                    .help(format!(
+                        "call it before or after the loop; inside, elements are read and written as `{field}[..]`"
+                    ));
             }
         }
         What::ElementMethod { name } => {
@@ -79,11 +81,17 @@ fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
         What::Destructuring => {
             diagnostics
                 .error(Code::Destructuring, at, "an element cannot be a target of a destructuring assignment")
-                .help("bind the values first, and assign each element by itself: `let (a, b) = ..; u[i] = a; v[i] = b;`");
+                .help(
+                    "bind the values first, and assign each element by itself: `let (a, b) = ..; u[i] = a; v[i] = b;`",
+                );
         }
         What::Random => {
             diagnostics
-                .error(Code::UnavailableFunction, at, "`random` is a word of the language that is not available in this version")
+                .error(
+                    Code::UnavailableFunction,
+                    at,
+                    "`random` is a word of the language that is not available in this version",
+                )
                 .help("call a function of your own under another name, or by its path: `self::random(..)`");
         }
         What::MoveClosure => {

@@ -44,7 +44,11 @@ fn variables(kernel: &Kernel, found: &Loop, diagnostics: &mut Diagnostics) {
     let (what, rank) = match &found.head {
         Head::Ranges(ranges) if ranges.len() > 3 => {
             diagnostics
-                .error(Code::LoopRange, &found.spot.tokens, "a parallel loop over more than three ranges is not available in this version")
+                .error(
+                    Code::LoopRange,
+                    &found.spot.tokens,
+                    "a parallel loop over more than three ranges is not available in this version",
+                )
                 .help("loop over the first three, and over the others inside");
             return;
         }
@@ -71,10 +75,12 @@ fn count(kernel: &Kernel, access: &Access, diagnostics: &mut Diagnostics) {
     let found = match (parts(&access.index), integer(&access.index), name_of(&access.index), own) {
         (Some(parts), ..) => parts.len(),
         (None, Some(_), ..) => 1,
-        (None, None, Some(name), Some(own)) if !own.tuple && own.variables[0].as_ref() == Some(name) => match own.rank {
-            Some(rank) => rank,
-            None => return,
-        },
+        (None, None, Some(name), Some(own)) if !own.tuple && own.variables[0].as_ref() == Some(name) => {
+            match own.rank {
+                Some(rank) => rank,
+                None => return,
+            }
+        }
         (None, None, Some(name), Some(own)) if own.tuple && own.variables.contains(&Some(name.clone())) => 1,
         _ => return,
     };
@@ -87,7 +93,10 @@ fn count(kernel: &Kernel, access: &Access, diagnostics: &mut Diagnostics) {
             format!("`{name}` has {}, and the index `{index}` names {found}", axes(rank)),
         );
         error.note(format!("the type of `{name}` is `{}`", type_text(&field.ty)));
-        error.help(format!("write `{name}[{}]`; the third parameter of `Field` says its axes: `I` (the default), `Ij`, `Ijk`", example(rank)));
+        error.help(format!(
+            "write `{name}[{}]`; the third parameter of `Field` says its axes: `I` (the default), `Ij`, `Ijk`",
+            example(rank)
+        ));
     }
 }
 
@@ -105,9 +114,12 @@ fn border(found: &Loop, access: &Access, diagnostics: &mut Diagnostics) {
     let Some(width) = integer(width) else { return };
     let reach = offset.iter().map(|offset| offset.saturating_abs()).max().unwrap_or(0);
     if reach > width {
-        let message = format!("`{}` reaches {reach} cells away, and `interior({width})` leaves a border of {width}", access.target.text());
-        diagnostics
-            .error(Code::InteriorOffset, &access.target.tokens, message)
-            .help(format!("write `interior({reach})`; where this field is larger than the loop's, loop over an `ndrange!`"));
+        let message = format!(
+            "`{}` reaches {reach} cells away, and `interior({width})` leaves a border of {width}",
+            access.target.text()
+        );
+        diagnostics.error(Code::InteriorOffset, &access.target.tokens, message).help(format!(
+            "write `interior({reach})`; where this field is larger than the loop's, loop over an `ndrange!`"
+        ));
     }
 }

@@ -38,7 +38,11 @@ pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
         }
         What::Pattern => {
             diagnostics
-                .error(Code::LoopPattern, at, format!("the pattern of a parallel loop is a name or a tuple of names, not `{text}`"))
+                .error(
+                    Code::LoopPattern,
+                    at,
+                    format!("the pattern of a parallel loop is a name or a tuple of names, not `{text}`"),
+                )
                 .note("the kernel must know which index is the iteration's own")
                 .help("write `for p in ..` or `for (i, j) in ..`, and bind anything else with `let` inside");
         }

@@ -40,7 +40,11 @@ fn macros(kernel: &Kernel, found: &Loop, diagnostics: &mut Diagnostics) {
         let Some(name) = call.mentions.iter().find(named) else { continue };
         if call.definition {
             diagnostics
-                .error(Code::MacroDefinition, &call.spot.tokens, format!("a macro defined in a parallel loop mentions `{name}`"))
+                .error(
+                    Code::MacroDefinition,
+                    &call.spot.tokens,
+                    format!("a macro defined in a parallel loop mentions `{name}`"),
+                )
                 .note("the kernel does not see what the macro expands to, which could be another access")
                 .help("write a closure or a function on values instead");
         } else {

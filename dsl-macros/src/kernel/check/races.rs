@@ -73,7 +73,9 @@ fn report(kernel: &Kernel, found: &Loop, clash: &Clash, diagnostics: &mut Diagno
                     &access.spot.tokens,
                     "accumulating into one component is only available at the iteration's own index in this version",
                 )
-                .help(format!("accumulate into all of `{target}`, with zero for the other components: `{target} += vec2(x, 0.0)`"));
+                .help(format!(
+                    "accumulate into all of `{target}`, with zero for the other components: `{target} += vec2(x, 0.0)`"
+                ));
         }
         Why::Stencil => {
             diagnostics
@@ -90,12 +92,22 @@ fn report(kernel: &Kernel, found: &Loop, clash: &Clash, diagnostics: &mut Diagno
             };
             diagnostics
                 .error(Code::AccumulateBesideRead, &access.spot.tokens, message)
-                .note(format!("{}: what is read would be a part of the result, and which part depends on the threads", other_half(other)))
+                .note(format!(
+                    "{}: what is read would be a part of the result, and which part depends on the threads",
+                    other_half(other)
+                ))
                 .help("read it in a loop of its own before or after this one, or accumulate into another member");
         }
         Why::WriteBesideAccumulation => {
             diagnostics
-                .error(Code::AccumulateBesideWrite, &access.spot.tokens, format!("`{target}` is changed in a parallel loop that changes `{}` in another way", name(kernel, other)))
+                .error(
+                    Code::AccumulateBesideWrite,
+                    &access.spot.tokens,
+                    format!(
+                        "`{target}` is changed in a parallel loop that changes `{}` in another way",
+                        name(kernel, other)
+                    ),
+                )
                 .note(format!("{}: which of the two comes first depends on the threads", other_half(other)))
                 .help("write the start value in a loop of its own, and accumulate in the next");
         }
@@ -137,8 +149,13 @@ fn scatter(found: &Loop, access: &Access, diagnostics: &mut Diagnostics) {
 /// Which iterations write one element.
 fn meeting(found: &Loop, access: &Access) -> String {
     let mentioned = identifiers(access.index.to_token_stream());
-    let missing: Vec<String> =
-        found.variables.iter().flatten().filter(|name| !mentioned.contains(name)).map(|name| format!("`{name}`")).collect();
+    let missing: Vec<String> = found
+        .variables
+        .iter()
+        .flatten()
+        .filter(|name| !mentioned.contains(name))
+        .map(|name| format!("`{name}`"))
+        .collect();
     if mentioned.is_empty() {
         "all iterations write this one element".to_owned()
     } else if !missing.is_empty() && missing.len() < found.variables.len() {

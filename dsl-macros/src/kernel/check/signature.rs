@@ -41,7 +41,12 @@ fn qualifiers(kernel: &Kernel, diagnostics: &mut Diagnostics) {
     };
     if let Some(word) = &signature.asyncness {
         let cure = "remove `async`; a caller may run the kernel in a task of its own";
-        refuse("async", word, "its loops run to their end before the next statement, and no thread may wait inside", cure);
+        refuse(
+            "async",
+            word,
+            "its loops run to their end before the next statement, and no thread may wait inside",
+            cure,
+        );
     }
     if let Some(word) = &signature.constness {
         refuse("const", word, "its loops start threads, which cannot be done at compile time", "remove `const`");
@@ -70,7 +75,11 @@ fn parameter(parameter: &syn::PatType, diagnostics: &mut Diagnostics) {
     match (name.as_str(), &*parameter.ty) {
         ("Member" | "MemberMut", _) => {
             diagnostics
-                .error(Code::ParameterKind, &parameter.ty, "a single member as a kernel's parameter is not available in this version")
+                .error(
+                    Code::ParameterKind,
+                    &parameter.ty,
+                    "a single member as a kernel's parameter is not available in this version",
+                )
                 .help("take the whole field: `&Field<R, _>`, and name the member in the kernel");
         }
         ("Field", Type::Reference(_)) if !matches!(&*parameter.pat, Pat::Ident(_)) => {

@@ -17,7 +17,11 @@ pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
             }
             Assigned::Operator(op) => {
                 diagnostics
-                    .error(Code::OuterAssigned, at, format!("`{}` cannot accumulate into `{name}` in a parallel loop", op.text()))
+                    .error(
+                        Code::OuterAssigned,
+                        at,
+                        format!("`{}` cannot accumulate into `{name}` in a parallel loop", op.text()),
+                    )
                     .note("its result depends on the order of the iterations")
                     .help("use one of `+=`, `-=`, `*=`, `min_assign`, `max_assign`, `&=`, `|=`, `^=`");
             }
@@ -25,17 +29,25 @@ pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
                 diagnostics
                     .error(Code::ReductionPart, at, format!("`{text}` accumulates into a component of `{name}`"))
                     .note("reductions into components are not available in this version")
-                    .help(format!("accumulate into all of it, `{name} += vec2(x, 0.0)`, or into a variable for each component"));
+                    .help(format!(
+                        "accumulate into all of it, `{name} += vec2(x, 0.0)`, or into a variable for each component"
+                    ));
             }
             Assigned::Entry => {
                 diagnostics
                     .error(Code::ReductionPart, at, format!("`{text}` accumulates into an entry of `{name}`"))
                     .note("reductions into arrays are not available in this version")
-                    .help(format!("accumulate into a field, which any index may be added to: `{name}: &mut Field<u32, _>`"));
+                    .help(format!(
+                        "accumulate into a field, which any index may be added to: `{name}: &mut Field<u32, _>`"
+                    ));
             }
             Assigned::Reference => {
                 diagnostics
-                    .error(Code::OuterAssigned, at, format!("`{text}` changes what `{name}` refers to from a parallel loop"))
+                    .error(
+                        Code::OuterAssigned,
+                        at,
+                        format!("`{text}` changes what `{name}` refers to from a parallel loop"),
+                    )
                     .note("all iterations would share it")
                     .help("accumulate into a local variable of the kernel, and assign that after the loop");
             }
@@ -49,8 +61,14 @@ pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
         What::ReductionGroups { name, op, first, line } => {
             let (op, first) = (op.text(), first.text());
             diagnostics
-                .error(Code::ReductionOperators, at, format!("`{op}` and `{first}` accumulate into `{name}` in one loop"))
-                .note(format!("`{first}` stands in line {line}; the result of both depends on the order of the iterations"))
+                .error(
+                    Code::ReductionOperators,
+                    at,
+                    format!("`{op}` and `{first}` accumulate into `{name}` in one loop"),
+                )
+                .note(format!(
+                    "`{first}` stands in line {line}; the result of both depends on the order of the iterations"
+                ))
                 .help("use two variables, or two loops");
         }
         _ => return false,

@@ -52,13 +52,8 @@ impl Launch<'_> {
 /// The tokens of a launch.
 pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
     let parallel = &kernel.loops[number];
-    let launch = Launch {
-        kernel,
-        parallel,
-        plan: plan(kernel, number),
-        held: captures::held(parallel),
-        based: BTreeMap::new(),
-    };
+    let launch =
+        Launch { kernel, parallel, plan: plan(kernel, number), held: captures::held(parallel), based: BTreeMap::new() };
     let private = private();
     let (space, fits, task, run) = (hidden("space"), hidden("fits"), hidden("task"), hidden("run"));
     let handles = launch.handles();
@@ -162,11 +157,16 @@ impl Launch<'_> {
     /// Whether all rows lie within their fields, and whether that needs no check.
     fn fits(&self) -> (TokenStream, bool) {
         let space = hidden("space");
-        let checks: Vec<_> = self.plan.reach.iter().map(|(field, (low, high))| {
-            let handle = handle(&self.kernel.fields[*field]);
-            let (low, high) = (self.offset(low), self.offset(high));
-            quote!(#space.fits(#handle, #low, #high))
-        }).collect();
+        let checks: Vec<_> = self
+            .plan
+            .reach
+            .iter()
+            .map(|(field, (low, high))| {
+                let handle = handle(&self.kernel.fields[*field]);
+                let (low, high) = (self.offset(low), self.offset(high));
+                quote!(#space.fits(#handle, #low, #high))
+            })
+            .collect();
         if checks.is_empty() { (quote!(true), true) } else { (quote!(#(#checks)&&*), false) }
     }
 
@@ -187,7 +187,9 @@ impl Launch<'_> {
         let kernel = plain(&self.kernel.function.sig.ident);
         let (fits, heavy) = (hidden("fits"), !self.plan.light);
         let scatter = match &self.parallel.scatter {
-            Some(scatter) => quote_spanned!(scatter.span()=> ::core::option::Option::Some(::allotrope::Scatter::#scatter)),
+            Some(scatter) => {
+                quote_spanned!(scatter.span()=> ::core::option::Option::Some(::allotrope::Scatter::#scatter))
+            }
             None => quote!(::core::option::Option::None),
         };
         let targets = self.plan.targets.iter().enumerate().map(|(slot, (field, members))| {
@@ -247,7 +249,9 @@ impl Launch<'_> {
             match &planned.view {
                 View::Own if self.plan.light && !self.plan.overlapping.contains(&planned.field) => {
                     let (buffer, private) = (numbered("buffer", number), private());
-                    views.extend(quote!(let #buffer = #private::buffer(); let #name = #handle.held(&#run, #tag, &#buffer);));
+                    views.extend(
+                        quote!(let #buffer = #private::buffer(); let #name = #handle.held(&#run, #tag, &#buffer);),
+                    );
                     flushes.extend(quote!(#name.flush(&#run);));
                 }
                 View::Own => views.extend(quote!(let #name = #handle.own(&#run, #tag);)),
@@ -282,7 +286,8 @@ impl Launch<'_> {
     /// Binds the loop's variables.
     fn variables(&self) -> TokenStream {
         let cell = hidden("cell");
-        let patterns = self.parallel.variables.iter().map(|name| name.as_ref().map_or_else(|| quote!(_), |name| quote!(#name)));
+        let patterns =
+            self.parallel.variables.iter().map(|name| name.as_ref().map_or_else(|| quote!(_), |name| quote!(#name)));
         let names: Vec<_> = self.parallel.variables.iter().flatten().collect();
         let used = (!names.is_empty()).then(|| quote!(let _ = (#(&#names,)*);));
         if self.parallel.tuple {
@@ -308,12 +313,6 @@ fn op(group: Group) -> TokenStream {
 impl<'a> Launch<'a> {
     /// The same launch in a stretch where more bases are checked.
     pub(super) fn with_based(&self, based: BTreeMap<usize, (Ident, Expr)>) -> Launch<'a> {
-        Launch {
-            kernel: self.kernel,
-            parallel: self.parallel,
-            plan: self.plan.clone(),
-            held: self.held.clone(),
-            based,
-        }
+        Launch { kernel: self.kernel, parallel: self.parallel, plan: self.plan.clone(), held: self.held.clone(), based }
     }
 }

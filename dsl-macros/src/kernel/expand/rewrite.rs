@@ -2,6 +2,7 @@
 
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
+use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
 use syn::{Block, Expr, Pat, Stmt, Type};
 
@@ -165,6 +166,14 @@ impl VisitMut for Visitor<'_> {
         // Items have names of their own.
         if !matches!(statement, Stmt::Item(_)) {
             visit_mut::visit_stmt_mut(self, statement);
+        }
+    }
+
+    fn visit_field_value_mut(&mut self, value: &mut syn::FieldValue) {
+        self.visit_expr_mut(&mut value.expr);
+        // `Point { x }` reads the variable `x`: what stands in its place needs the name beside it.
+        if value.colon_token.is_none() && !matches!(value.expr, Expr::Path(_)) {
+            value.colon_token = Some(syn::Token![:](value.member.span()));
         }
     }
 

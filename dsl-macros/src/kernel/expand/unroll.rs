@@ -121,7 +121,10 @@ fn bases(launch: &Launch<'_>, repeat: &Unroll) -> Vec<Base> {
     for &node in &repeat.accesses {
         let access = launch.kernel.access(node);
         let view = &launch.plan.views[launch.plan.view_of[&node]].view;
-        if launch.based.contains_key(&node) || !matches!(view, View::Any | View::Accumulate) || !matches!(access.place, Place::Computed) {
+        if launch.based.contains_key(&node)
+            || !matches!(view, View::Any | View::Accumulate)
+            || !matches!(access.place, Place::Computed)
+        {
             continue;
         }
         let Some((base, offset)) = split(launch, repeat, &access.index) else { continue };
@@ -132,7 +135,9 @@ fn bases(launch: &Launch<'_>, repeat: &Unroll) -> Vec<Base> {
         }
         let (low, high): (Vec<i32>, Vec<i32>) = reach.into_iter().unzip();
         let name = name_of(&base);
-        let same = |known: &&mut Base| known.field == access.field && name_of(&known.base) == name && known.low.len() == low.len();
+        let same = |known: &&mut Base| {
+            known.field == access.field && name_of(&known.base) == name && known.low.len() == low.len()
+        };
         match found.iter_mut().find(same) {
             Some(known) => {
                 known.low.iter_mut().zip(&low).for_each(|(known, low)| *known = (*known).min(*low));

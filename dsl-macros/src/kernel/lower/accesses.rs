@@ -16,13 +16,31 @@ use crate::kernel::syntax::{bare, compound, name_of};
 
 /// Methods of fields that the language knows and this version lacks.
 const LATER_FIELD_METHODS: &[&str] = &[
-    "or", "clamped", "wrapped", "append", "try_append", "activate", "deactivate", "is_active", "row", "get_unchecked",
+    "or",
+    "clamped",
+    "wrapped",
+    "append",
+    "try_append",
+    "activate",
+    "deactivate",
+    "is_active",
+    "row",
+    "get_unchecked",
     "set_unchecked",
 ];
 
 /// Methods of elements that the language knows and this version lacks.
-const LATER_ELEMENT_METHODS: &[&str] =
-    &["fetch_add", "fetch_sub", "fetch_min", "fetch_max", "fetch_or", "fetch_and", "fetch_xor", "swap", "compare_exchange"];
+const LATER_ELEMENT_METHODS: &[&str] = &[
+    "fetch_add",
+    "fetch_sub",
+    "fetch_min",
+    "fetch_max",
+    "fetch_or",
+    "fetch_and",
+    "fetch_xor",
+    "swap",
+    "compare_exchange",
+];
 
 impl Lower {
     /// Reads `field.path[index]`, or indexes something else.
@@ -133,7 +151,10 @@ impl Lower {
                 *expr = self.node(Node::Reduce(Reduce { variable, op, value }), spot.tokens.span());
             }
             (Assigned::Plain, None) => {
-                self.find(What::OuterAssigned { name: variable.to_string(), how: Assigned::Operator(op) }, &spot.tokens);
+                self.find(
+                    What::OuterAssigned { name: variable.to_string(), how: Assigned::Operator(op) },
+                    &spot.tokens,
+                );
             }
             (how, _) => self.find(What::OuterAssigned { name: variable.to_string(), how }, &spot.tokens),
         }
@@ -187,7 +208,9 @@ impl Lower {
         if let Some(base) = self.borrowed_base(&call.receiver) {
             return self.field_method(expr, base.field, base.path.is_empty(), &name);
         }
-        if self.is_access(&call.receiver) && LATER_ELEMENT_METHODS.contains(&name.as_str()) && (name != "swap" || call.args.len() == 1)
+        if self.is_access(&call.receiver)
+            && LATER_ELEMENT_METHODS.contains(&name.as_str())
+            && (name != "swap" || call.args.len() == 1)
         {
             let method = call.method.clone();
             self.find(What::ElementMethod { name }, &method);
@@ -224,7 +247,8 @@ impl Lower {
     pub(super) fn visit_call(&mut self, call: &mut syn::ExprCall) {
         let function = call.func.to_token_stream().to_string();
         if let Expr::Path(path) = &*call.func {
-            let random = path.qself.is_none() && path.path.segments.len() == 1 && path.path.segments[0].ident == "random";
+            let random =
+                path.qself.is_none() && path.path.segments.len() == 1 && path.path.segments[0].ident == "random";
             if random && call.args.len() == 2 && self.scopes.find(&path.path.segments[0].ident).is_none() {
                 self.find(What::Random, &path.path);
             }

@@ -34,7 +34,8 @@ impl Iteration<'_> {
 
     /// One variable over several axes: `ij`, `ij + ivec2(1, 0)`.
     fn whole(&self, index: &Expr) -> Place {
-        let is_variable = |expr: &Expr| matches!((name_of(expr), &self.variables[0]), (Some(name), Some(own)) if name == own);
+        let is_variable =
+            |expr: &Expr| matches!((name_of(expr), &self.variables[0]), (Some(name), Some(own)) if name == own);
         if is_variable(index) {
             return Place::Own;
         }

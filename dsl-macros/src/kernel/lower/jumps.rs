@@ -24,9 +24,10 @@ pub(super) enum Target {
 impl Target {
     fn label(&self) -> Option<&Lifetime> {
         match self {
-            Target::Parallel { label, .. } | Target::Unroll { label, .. } | Target::Plain(label) | Target::Block(label) => {
-                label.as_ref()
-            }
+            Target::Parallel { label, .. }
+            | Target::Unroll { label, .. }
+            | Target::Plain(label)
+            | Target::Block(label) => label.as_ref(),
             Target::Closure => None,
         }
     }

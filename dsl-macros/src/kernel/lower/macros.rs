@@ -14,8 +14,26 @@ use crate::kernel::syntax::name_of;
 
 /// Macros whose arguments are expressions.
 const KNOWN: &[&str] = &[
-    "assert", "assert_eq", "assert_ne", "debug_assert", "debug_assert_eq", "debug_assert_ne", "print", "println", "eprint",
-    "eprintln", "format", "format_args", "write", "writeln", "panic", "matches", "vec", "dbg", "todo", "unreachable",
+    "assert",
+    "assert_eq",
+    "assert_ne",
+    "debug_assert",
+    "debug_assert_eq",
+    "debug_assert_ne",
+    "print",
+    "println",
+    "eprint",
+    "eprintln",
+    "format",
+    "format_args",
+    "write",
+    "writeln",
+    "panic",
+    "matches",
+    "vec",
+    "dbg",
+    "todo",
+    "unreachable",
     "unimplemented",
 ];
 
@@ -81,7 +99,10 @@ impl Lower {
     fn format_captures(&mut self, arguments: &MacroArguments) {
         let MacroArguments::List(list) = arguments else { return };
         let Some(number) = self.parallel() else { return };
-        let named = |name: &str| list.iter().any(|argument| matches!(argument, Expr::Assign(a) if name_of(&a.left).is_some_and(|n| n == name)));
+        let named = |name: &str| {
+            list.iter()
+                .any(|argument| matches!(argument, Expr::Assign(a) if name_of(&a.left).is_some_and(|n| n == name)))
+        };
         for argument in list {
             let Expr::Lit(literal) = argument else { continue };
             let Lit::Str(format) = &literal.lit else { continue };

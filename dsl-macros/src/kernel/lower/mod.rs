@@ -14,7 +14,6 @@ use std::mem;
 
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
-use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
 use syn::{Block, Expr, FnArg, Ident, ItemFn, Pat, Stmt, Type};
 
@@ -39,10 +38,24 @@ enum Mode {
 pub(super) fn lower(mut function: ItemFn, options: TokenStream) -> Kernel {
     let fields = parse::fields(&function);
     let mut body = mem::replace(&mut *function.block, Block { brace_token: Default::default(), stmts: Vec::new() });
-    let kernel =
-        Kernel { function, options, fields, nodes: Vec::new(), loops: Vec::new(), bound: Vec::new(), mutable: BTreeSet::new(), findings: Vec::new() };
-    let mut lower =
-        Lower { kernel, mode: Mode::Top, scopes: Scopes::default(), targets: Vec::new(), statement: false, loop_depth: 0 };
+    let kernel = Kernel {
+        function,
+        options,
+        fields,
+        nodes: Vec::new(),
+        loops: Vec::new(),
+        bound: Vec::new(),
+        mutable: BTreeSet::new(),
+        findings: Vec::new(),
+    };
+    let mut lower = Lower {
+        kernel,
+        mode: Mode::Top,
+        scopes: Scopes::default(),
+        targets: Vec::new(),
+        statement: false,
+        loop_depth: 0,
+    };
     lower.scopes.enter();
     lower.bind_parameters();
     lower.visit_block_mut(&mut body);
@@ -172,7 +185,8 @@ impl Lower {
         self.targets.pop();
         self.scopes.leave();
         self.mode = mode;
-        let accesses = self.kernel.nodes[known..].iter().any(|node| matches!(node, Node::Access(_) | Node::FieldCall(_)));
+        let accesses =
+            self.kernel.nodes[known..].iter().any(|node| matches!(node, Node::Access(_) | Node::FieldCall(_)));
         if let (Some(word), true, true) = (closure.capture, accesses, self.parallel().is_some()) {
             self.find(What::MoveClosure, &word);
         }
@@ -220,7 +234,9 @@ impl Lower {
             Expr::Field(_) => self.visit_field_access(expr),
             Expr::Path(_) => self.visit_name(expr),
             Expr::Macro(_) => self.visit_macro(expr),
-            Expr::Break(_) | Expr::Continue(_) | Expr::Return(_) | Expr::Try(_) | Expr::Await(_) => self.visit_jump(expr),
+            Expr::Break(_) | Expr::Continue(_) | Expr::Return(_) | Expr::Try(_) | Expr::Await(_) => {
+                self.visit_jump(expr)
+            }
             Expr::Closure(closure) => self.visit_closure(closure),
             Expr::If(branch) => self.visit_if(branch),
             Expr::Match(choice) => self.visit_match(choice),
@@ -300,14 +316,6 @@ impl VisitMut for Lower {
     // Patterns hold no expressions that could be accesses, and types none at all.
     fn visit_pat_mut(&mut self, _: &mut Pat) {}
     fn visit_type_mut(&mut self, _: &mut Type) {}
-
-    fn visit_field_value_mut(&mut self, value: &mut syn::FieldValue) {
-        // `Point { x }` reads the variable `x`: written out, so that a rewritten `x` has a name to stand beside.
-        if value.colon_token.is_none() {
-            value.colon_token = Some(syn::Token![:](value.member.span()));
-        }
-        self.visit_expr_mut(&mut value.expr);
-    }
 }
 
 /// The attributes of an expression of a kind that may be replaced: syn keeps those of a statement at its leftmost part.

@@ -4,7 +4,10 @@ use super::body;
 
 #[test]
 fn the_top_level_is_plain_rust() {
-    body("let y = u[(0, 1)] + x; u[(0, 1)] = u[(1, 1)]; u.m[(0, 0)] += 1.0; if y > x { for a in p { p[a] = y; } }", &[]);
+    body(
+        "let y = u[(0, 1)] + x; u[(0, 1)] = u[(1, 1)]; u.m[(0, 0)] += 1.0; if y > x { for a in p { p[a] = y; } }",
+        &[],
+    );
     body("let f = |k: i32| { for a in p { p[a] = 1.0; p[k] += p[a - 1]; } };", &[]);
     body("match n { 0 => for a in p { p[a] = x; }, _ => {} }", &[]);
     body("loop { for a in p { p[a] = x; } break; }", &[]);
@@ -19,7 +22,10 @@ fn serial_loops_take_anything() {
 
 #[test]
 fn inner_loops_are_plain() {
-    body("for a in p { for b in q { p[a] += q[b]; } for b in ids.iter() { p[a] -= q[*b]; } while x { p[a] = x; } }", &[]);
+    body(
+        "for a in p { for b in q { p[a] += q[b]; } for b in ids.iter() { p[a] -= q[*b]; } while x { p[a] = x; } }",
+        &[],
+    );
     body("for i in 0..n { for (j, k) in ndrange!(0..n, 0..n) { u[(i, j)] += v[(i, k)] * v[(k, j)]; } }", &[]);
     body("for a in p { for (i, j) in unroll!(0..3, 0..3) { u[base + ivec2(i, j)] += q[a]; } }", &[]);
 }

@@ -4,10 +4,26 @@ use super::body;
 
 #[test]
 fn the_list_of_heads_is_closed() {
-    for head in ["a in u", "ij in u", "(i, j) in u", "(i, j) in u.interior(1)", "i in 0..n", "i in 0..n as usize", "i in (0..3)"] {
+    for head in [
+        "a in u",
+        "ij in u",
+        "(i, j) in u",
+        "(i, j) in u.interior(1)",
+        "i in 0..n",
+        "i in 0..n as usize",
+        "i in (0..3)",
+    ] {
         body(&format!("for {head} {{ let _ = 1; }}"), &[]);
     }
-    for head in ["i in (0..n).rev()", "i in [0, 1]", "i in ids.iter()", "i in u.iter()", "i in &u", "i in x", "i in u.interior()"] {
+    for head in [
+        "i in (0..n).rev()",
+        "i in [0, 1]",
+        "i in ids.iter()",
+        "i in u.iter()",
+        "i in &u",
+        "i in x",
+        "i in u.interior()",
+    ] {
         body(&format!("for {head} {{ let _ = 1; }}"), &["A0110"]);
     }
     body("for i in u.m { let _ = 1; }", &["A0110"]);
@@ -51,7 +67,9 @@ fn scatter_names_a_schedule_of_a_parallel_loop() {
     for schedule in ["Serial", "Atomic", "Private", "Auto"] {
         body(&format!("#[scatter({schedule})] for a in q {{ p[n] += q[a]; }}"), &[]);
     }
-    for attribute in ["#[scatter]", "#[scatter(Fast)]", "#[scatter(Colored)]", "#[scatter(Colored, key = 1)]", "#[scatter = 1]"] {
+    for attribute in
+        ["#[scatter]", "#[scatter(Fast)]", "#[scatter(Colored)]", "#[scatter(Colored, key = 1)]", "#[scatter = 1]"]
+    {
         body(&format!("{attribute} for a in q {{ p[n] += q[a]; }}"), &["A0115"]);
     }
     body("#[scatter(Atomic)] #[serial] for a in q { p[n] += q[a]; }", &["A0115"]);

@@ -107,5 +107,8 @@ fn a_clash_names_the_other_access() {
 
 #[test]
 fn all_errors_of_a_kernel_come_at_once() {
-    body("for a in q { p[n] = x; break; let a = 1; } for i in 0..=3 {} let u = 3;", &["A0116", "A0111", "A0120", "A0120", "A0202"]);
+    body(
+        "for a in q { p[n] = x; break; let a = 1; } for i in 0..=3 {} let u = 3;",
+        &["A0116", "A0111", "A0120", "A0120", "A0202"],
+    );
 }

@@ -8,7 +8,10 @@ fn assignments_have_no_value() {
     body("for a in q { f(p[n] += 1); }", &["A0210"]);
     body("for a in p { let y = p[a] = x; }", &["A0210"]);
     body("let y = u[(0, 0)].max_assign(3.0);", &["A0210"]);
-    body("for a in q { if x { p[n] += 1 } else { p[n] += 2 } match x { _ => p[n] += 1 } (p[n] += 1); let f = || p[n] += 1; }", &[]);
+    body(
+        "for a in q { if x { p[n] += 1 } else { p[n] += 2 } match x { _ => p[n] += 1 } (p[n] += 1); let f = || p[n] += 1; }",
+        &[],
+    );
     body("for a in p { (p[a], s) = (x, x); }", &["A0221"]);
     body("[u[(0, 0)], u[(0, 1)]] = [x, x];", &["A0221"]);
 }
