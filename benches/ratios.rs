@@ -1,12 +1,14 @@
 //! Each kernel beside its hand-written twin: same layout, threads and instruction set, in interleaved pairs.
 //!
 //! `cargo bench --bench ratios [-- FILTER]` prints, for each pair, the median times, and the median of the paired ratios with its
-//! 95 % bootstrap interval. `ALLOTROPE_CPU` chooses the instruction set, `PAIRS` the number of pairs (61 unless told).
+//! 95 % bootstrap interval. `ALLOTROPE_CPU` chooses the instruction set, `ROUNDS` how often all is allocated anew (5 unless told),
+//! `PAIRS` the pairs a round (13).
 //! Before a pair is timed, both results are compared.
 
 mod twins;
 mod workloads;
 
+use std::cell::RefCell;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -21,8 +23,31 @@ use workloads::{stencils, streams, transfer};
 /// Pairs of one kernel and one twin.
 struct Pairs {
     filter: Option<String>,
+    /// Pairs a round.
     count: usize,
     cpu: Cpu,
+    lines: RefCell<Vec<Line>>,
+}
+
+/// What was measured of one pair.
+struct Line {
+    name: String,
+    kernel: Vec<f64>,
+    twin: Vec<f64>,
+}
+
+impl Line {
+    fn print(&mut self, cpu: Cpu) {
+        let mut ratios: Vec<f64> = self.kernel.iter().zip(&self.twin).map(|(kernel, twin)| kernel / twin).collect();
+        let (low, high) = bootstrap(&ratios);
+        println!(
+            "| {} | {cpu} | {:.4} | {:.4} | {:.3} | {low:.3} to {high:.3} |",
+            self.name,
+            median(&mut self.kernel) * 1e3,
+            median(&mut self.twin) * 1e3,
+            median(&mut ratios)
+        );
+    }
 }
 
 /// Runs `work` as often as takes a few milliseconds, and returns the time of one.
@@ -68,28 +93,21 @@ impl Pairs {
         twin();
         let once = time(1, &mut twin);
         let repeat = (0.004 / once).clamp(1.0, 10_000.0) as u32;
-        let (mut ours, mut theirs, mut ratios) = (Vec::new(), Vec::new(), Vec::new());
+        let mut lines = self.lines.borrow_mut();
+        if !lines.iter().any(|line| line.name == name) {
+            lines.push(Line { name: name.to_owned(), kernel: Vec::new(), twin: Vec::new() });
+        }
+        let line = lines.iter_mut().find(|line| line.name == name).expect("pushed just now");
         for pair in 0..self.count {
             // Each goes first as often as second.
-            let (a, b) = if pair % 2 == 0 {
-                let a = time(repeat, &mut kernel);
-                (a, time(repeat, &mut twin))
+            if pair % 2 == 0 {
+                line.kernel.push(time(repeat, &mut kernel));
+                line.twin.push(time(repeat, &mut twin));
             } else {
-                let b = time(repeat, &mut twin);
-                (time(repeat, &mut kernel), b)
-            };
-            ours.push(a);
-            theirs.push(b);
-            ratios.push(a / b);
+                line.twin.push(time(repeat, &mut twin));
+                line.kernel.push(time(repeat, &mut kernel));
+            }
         }
-        let (low, high) = bootstrap(&ratios);
-        println!(
-            "| {name} | {} | {:.4} | {:.4} | {:.3} | {low:.3} to {high:.3} |",
-            self.cpu,
-            median(&mut ours) * 1e3,
-            median(&mut theirs) * 1e3,
-            median(&mut ratios)
-        );
     }
 }
 
@@ -335,18 +353,28 @@ impl<R: Record, L: Layout<Ij>> FromShape for Field<R, L, Ij> {
 
 fn main() {
     let filter = std::env::args().skip(1).find(|arg| !arg.starts_with('-'));
-    let count = std::env::var("PAIRS").ok().and_then(|text| text.parse().ok()).unwrap_or(61);
+    let number = |name: &str, usual: usize| {
+        let text = std::env::var(name).ok();
+        text.map_or(usual, |text| text.parse().unwrap_or_else(|_| panic!("{name}={text}: give a number")))
+    };
+    let (rounds, count) = (number("ROUNDS", 5), number("PAIRS", 13));
     let schedule = Schedule { threads: 1, ..Schedule::default() };
-    let pairs = Pairs { filter, count, cpu: schedule.instruction_set() };
-    println!("| kernel | set | kernel ms | twin ms | ratio | 95 % interval |");
-    println!("|---|---|---|---|---|---|");
+    let pairs = Pairs { filter, count, cpu: schedule.instruction_set(), lines: RefCell::default() };
     let start = Instant::now();
     schedule.run(|| {
-        stream_pairs(&pairs);
-        jacobi_pairs(&pairs);
-        laplacian_pairs(&pairs);
-        transfer_pairs(&pairs);
+        // Where memory lies decides some per cent of a stream's time: every round allocates anew.
+        for _ in 0..rounds {
+            stream_pairs(&pairs);
+            jacobi_pairs(&pairs);
+            laplacian_pairs(&pairs);
+            transfer_pairs(&pairs);
+        }
     });
+    println!("| kernel | set | kernel ms | twin ms | ratio | 95 % interval |");
+    println!("|---|---|---|---|---|---|");
+    for line in pairs.lines.borrow_mut().iter_mut() {
+        line.print(pairs.cpu);
+    }
     let spent: Duration = start.elapsed();
-    println!("\n{} pairs a line, one thread, {:.0} s in all", pairs.count, spent.as_secs_f64());
+    println!("\n{} pairs a line in {rounds} rounds, one thread, {:.0} s in all", rounds * count, spent.as_secs_f64());
 }

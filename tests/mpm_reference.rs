@@ -50,7 +50,7 @@ fn deterministic() {
 }
 
 #[test]
-fn the_first_step_and_volumes_are_the_references_too() {
+fn the_first_step_is_the_references_too() {
     let mut fluid = build(&mpm88(), "aos+row");
     fluid.step().unwrap();
     assert!(difference(&fluid.positions(), &reference_positions("x1")) < 3e-8);

@@ -51,7 +51,10 @@ pub fn solvers() -> &'static [SolverInfo] {
 /// Names the nearest solver if there is none of that name.
 pub fn solver(name: &str) -> Result<&'static SolverInfo, String> {
     let known = solvers().iter().map(|solver| solver.name);
-    solvers().iter().find(|solver| solver.name == name).ok_or_else(|| format!("there is no solver `{name}`{}", hint(name, known)))
+    solvers()
+        .iter()
+        .find(|solver| solver.name == name)
+        .ok_or_else(|| format!("there is no solver `{name}`{}", hint(name, known)))
 }
 
 impl SolverInfo {

@@ -61,8 +61,11 @@ pub trait Simulation: Send {
     /// Velocities in metres a second, in the same order.
     fn velocities(&self) -> Vec<[f64; 3]>;
 
-    /// Conserved totals, summed in `f64`.
+    /// Conserved totals of the particles, summed in `f64`.
     fn totals(&self) -> Totals;
+
+    /// The mass that the last step spread over the grid, summed in `f64`.
+    fn grid_mass(&self) -> f64;
 }
 
 /// Conserved totals of the particles.

@@ -81,7 +81,10 @@ fn open_meshes_are_refused_with_number_and_place() {
 #[test]
 fn faces_of_mixed_orientation_and_crowded_edges_are_refused() {
     let turned = cube(&[0, 1, 2, 3, 4]) + "f 2 6 8 4\n";
-    assert!(fault(&turned).starts_with("is not closed: 4 edges between faces of opposite orientation, the first from (11, 11, 10)"));
+    assert!(
+        fault(&turned)
+            .starts_with("is not closed: 4 edges between faces of opposite orientation, the first from (11, 11, 10)")
+    );
     let crowded = cube(&[0, 1, 2, 3, 4, 5, 5]);
     assert!(fault(&crowded).contains("edges shared by more than two faces"));
 }

@@ -75,7 +75,8 @@ fn random_and_jittered_particles_are_the_same_every_time() {
     // The generator's stream is part of what a scene means: it must not change with a library's version.
     assert_eq!(a.x[0].map(|x| (x * 1e6).round() / 1e6), FIRST_OF_SEED_7);
 
-    let jittered = parse(&GOOD.replace("to = [1.0, 0.5]", "to = [1.0, 0.5]\njitter = 0.5")).unwrap().particles().unwrap();
+    let jittered =
+        parse(&GOOD.replace("to = [1.0, 0.5]", "to = [1.0, 0.5]\njitter = 0.5")).unwrap().particles().unwrap();
     let regular = parse(GOOD).unwrap().particles().unwrap();
     let moved = |n: usize| (0..2).map(|axis| (jittered.x[n][axis] - regular.x[n][axis]).abs()).fold(0.0, f64::max);
     assert!((0..512).all(|n| moved(n) <= 0.25 / 64.0) && (0..512).any(|n| moved(n) > 0.2 / 64.0));
@@ -109,7 +110,9 @@ fn other_sizes_keep_the_scene() {
     assert!(lattice.particles().unwrap().x.len().abs_diff(2000) < 60);
     assert_eq!(parse(GOOD).unwrap().with_grid(128).unwrap().grid, [128, 64, 1]);
 
-    let error = |scene: Result<Scene, _>| scene.map(|_| ()).map_err(|error: allotrope_solvers::SceneError| error.to_string()).unwrap_err();
+    let error = |scene: Result<Scene, _>| {
+        scene.map(|_| ()).map_err(|error: allotrope_solvers::SceneError| error.to_string()).unwrap_err()
+    };
     assert!(error(mpm88().with_grid(4)).starts_with("scene `mpm88`: `grid = 4` cannot be"));
     assert!(error(mpm88().with_grid(1 << 20)).contains("at most 2^30"));
     assert!(error(parse(GOOD).unwrap().with_particles(5)).contains("needs a spacing of"));
@@ -133,15 +136,24 @@ fn files_of_points_and_meshes_are_found_beside_the_scene() {
     assert!(empty.contains("`body[0]` holds no particle; make it larger"), "{empty}");
 
     std::fs::write(folder.join("bad.txt"), "0.5 0.5\n0.5 x\n").unwrap();
-    assert!(parse(&text("bad.txt")).unwrap_err().contains("`body[0].file = \"bad.txt\"` has on line 2 `0.5 x`, where 2 finite"));
+    assert!(
+        parse(&text("bad.txt"))
+            .unwrap_err()
+            .contains("`body[0].file = \"bad.txt\"` has on line 2 `0.5 x`, where 2 finite")
+    );
     assert!(parse(&text("none.txt")).unwrap_err().contains("`body[0].file = \"none.txt\"` cannot be read"));
 
     std::fs::write(folder.join("open.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
     let mesh = text("open.obj").replace("points", "mesh");
     assert!(parse(&mesh).unwrap_err().contains("`body[0].shape = \"mesh\"` needs `dimensions = 3`"));
-    let mesh = mesh.replace("dimensions = 2", "dimensions = 3").replace("[64, 32]", "32").replace("[0, -9.8]", "[0, -9.8, 0]");
+    let mesh =
+        mesh.replace("dimensions = 2", "dimensions = 3").replace("[64, 32]", "32").replace("[0, -9.8]", "[0, -9.8, 0]");
     let message = parse(&mesh).unwrap_err();
-    assert!(message.contains("`body[0].file = \"open.obj\"` is not closed: 3 edges open") && message.contains("from (0, 0, 0)"), "{message}");
+    assert!(
+        message.contains("`body[0].file = \"open.obj\"` is not closed: 3 edges open")
+            && message.contains("from (0, 0, 0)"),
+        "{message}"
+    );
 }
 
 #[test]
@@ -159,7 +171,11 @@ fn faults_name_file_key_and_value() {
         ("density = 1.5", "density = -1.5", "`material.density = -1.5` must be above zero"),
         ("density = 1.5", "mass = 1.5", "`material.mass` is not a key of a scene; known are `stiffness`, `density`"),
         ("stiffness = 400", "stiffness = 0", "`material.stiffness = 0` must be above zero"),
-        ("[material]\nstiffness = 400\ndensity = 1.5", "material = 3", "`material = 3` is a whole number, where a table"),
+        (
+            "[material]\nstiffness = 400\ndensity = 1.5",
+            "material = 3",
+            "`material = 3` is a whole number, where a table",
+        ),
         ("grid = [64, 32]", "grid = [64, 32, 32]", "holds 3 extents, where 2 are wanted"),
         ("grid = [64, 32]", "grid = 9", "`grid = 9` holds 9, which is not from 10 to 32768"),
         ("grid = [64, 32]", "grid = 64.5", "`grid = 64.5` is a number, where a whole number is wanted"),
@@ -177,18 +193,28 @@ fn faults_name_file_key_and_value() {
         ("to = [1.0, 0.5]", "to = [2.5, 0.5]", "`body[0]` puts particle"),
         ("to = [1.0, 0.5]", "to = [1.0, 0.5]\njitter = 2", "`body[0].jitter = 2` is not from 0 to 1"),
         ("to = [1.0, 0.5]", "to = [1.0, 0.5]\nparticles = 0", "`body[0].particles = 0` holds 0"),
-        ("to = [1.0, 0.5]", "to = [1.0, 0.5]\nparticles = 1\njitter = 1", "`body[0].jitter = 1` moves particles of a lattice"),
+        (
+            "to = [1.0, 0.5]",
+            "to = [1.0, 0.5]\nparticles = 1\njitter = 1",
+            "`body[0].jitter = 1` moves particles of a lattice",
+        ),
         ("radius = 0.2", "radius = -0.2", "`body[1].radius = -0.2` must be above zero"),
         ("dt = 4e-4", "dt = = 4e-4", "line 7 is not TOML"),
     ];
     for (piece, by, wanted) in cases {
         let message = fault(piece, by);
-        assert!(message.starts_with("scene `test.toml`: ") && message.contains(wanted), "{by}\n  gives {message}\n  wanted {wanted}");
+        assert!(
+            message.starts_with("scene `test.toml`: ") && message.contains(wanted),
+            "{by}\n  gives {message}\n  wanted {wanted}"
+        );
     }
 }
 
 #[test]
 fn the_domain_is_told_to_who_leaves_it() {
     let message = fault("to = [1.0, 0.5]", "to = [2.5, 0.5]");
-    assert!(message.contains("outside the domain, which reaches from 0.0156 on each axis to (1.9531, 0.9531)"), "{message}");
+    assert!(
+        message.contains("outside the domain, which reaches from 0.0156 on each axis to (1.9531, 0.9531)"),
+        "{message}"
+    );
 }

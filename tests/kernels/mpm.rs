@@ -110,28 +110,22 @@ fn mass_and_momentum_arrive_under_every_schedule() {
 
 #[test]
 fn layouts_agree() {
-    let serial = Schedule { threads: 1, scatter: Scatter::Serial, ..Schedule::default() };
-    let run = |blocked: bool| -> Vec<Point> {
-        let mut points = points::<Soa>(500);
-        if blocked {
-            let mut grid = Field::<Node, Blocked<8>>::new([N, N]);
-            particle_to_grid(&points, &mut grid, &MPM);
-            grid_to_particle(&mut points, &grid, &MPM, 1e-3);
-        } else {
-            let mut grid = Field::<Node, Aos>::new([N, N]);
-            particle_to_grid(&points, &mut grid, &MPM);
-            grid_to_particle(&mut points, &grid, &MPM, 1e-3);
-        }
+    fn run<P: Layout<I>, G: Layout<Ij>>() -> Vec<Point> {
+        let mut points = points::<P>(500);
+        let mut grid = Field::<Node, G>::new([N, N]);
+        particle_to_grid(&points, &mut grid, &MPM);
+        grid_to_particle(&mut points, &grid, &MPM, 1e-3);
         points.iter().collect()
-    };
-    assert_eq!(serial.run(|| run(true)), serial.run(|| run(false)));
+    }
+    let serial = Schedule { threads: 1, scatter: Scatter::Serial, ..Schedule::default() };
+    assert_eq!(serial.run(run::<Aos, Soa>), serial.run(run::<AoSoA<16>, Blocked<4>>));
 }
 
 #[test]
 fn points_outside_panic_with_kernel_field_index_and_shape() {
     let mut points = points::<Aos>(10);
     points.set(7, Point { x: vec2(2.0, 0.5), ..points.get(7) });
-    let mut grid = Field::<Node, Aos>::new([N, N]);
+    let mut grid = Field::<Node, Soa>::new([N, N]);
     let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| particle_to_grid(&points, &mut grid, &MPM)));
     let panic = panic.unwrap_err();
     let text = panic.downcast_ref::<String>().expect("a message");

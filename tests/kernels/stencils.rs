@@ -27,26 +27,19 @@ fn grid<L: Layout<Ij>>(n: usize, m: usize) -> Field<f32, L, Ij> {
 
 #[test]
 fn jacobi_in_any_layout() {
-    fn run<L: Layout<Ij>, M: Layout<Ij>>() {
-        let (u, mut v, mut w) = (grid::<L>(19, 23), grid::<M>(19, 23), grid::<M>(19, 23));
-        jacobi(&u, &mut v);
-        jacobi_vectors(&u, &mut w);
+    fn run<L: Layout<Ij>>(step: impl Fn(&Field<f32, L, Ij>, &mut Field<f32, L, Ij>)) {
+        let (u, mut v) = (grid::<L>(19, 23), grid::<L>(19, 23));
+        step(&u, &mut v);
         for (i, j) in (0..19).flat_map(|i| (0..23).map(move |j| (i, j))) {
             let border = i == 0 || j == 0 || i == 18 || j == 22;
-            let near = |a: i32, b: i32| u.get((i + a, j + b));
-            let mean = 0.25
-                * (near(-1 + border as i32, 0)
-                    + near(1 - border as i32, 0)
-                    + near(0, -1 + border as i32)
-                    + near(0, 1 - border as i32));
-            let expected = if border { u.get((i, j)) } else { mean };
-            assert_eq!((v.get((i, j)), w.get((i, j))), (expected, expected), "({i}, {j})");
+            let near = |a: i32, b: i32| if border { u.get((i, j)) } else { u.get((i + a, j + b)) };
+            assert_eq!(v.get((i, j)), 0.25 * (near(-1, 0) + near(1, 0) + near(0, -1) + near(0, 1)), "({i}, {j})");
         }
     }
-    run::<Aos, Aos>();
-    run::<Blocked<8>, Blocked<8>>();
-    run::<Soa, layout!(dense(ji).dense(ij, (4, 2)).soa)>();
-    run::<layout!(dense(ij).dense(ij, 5).aos), Soa>();
+    run::<Aos>(jacobi);
+    run::<Aos>(jacobi_vectors);
+    run::<Blocked<4>>(jacobi);
+    run::<layout!(dense(ji).dense(ij, (3, 5)).soa)>(jacobi);
 }
 
 #[kernel]
@@ -96,5 +89,5 @@ fn laplacian_of_a_quadratic() {
         assert_eq!(inside, 7 * 8 * 9);
     }
     run::<Aos>();
-    run::<Blocked<4>>();
+    run::<Blocked<2>>();
 }

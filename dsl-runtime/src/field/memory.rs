@@ -4,12 +4,18 @@ use core::ptr::NonNull;
 use std::alloc::{Layout, alloc_zeroed, dealloc, handle_alloc_error};
 
 /// Every field begins at a cache line.
-const ALIGN: usize = 64;
+const LINE: usize = 64;
+
+/// What the system is asked for: with so small an alignment it hands out pages that are zero already, and maps them when
+/// they are touched. The line is found within.
+const ALIGN: usize = 16;
 
 #[doc(hidden)]
 /// An owned, zeroed stretch of memory.
 #[derive(Debug)]
 pub struct Memory {
+    /// What was allocated; `None` for no bytes.
+    block: Option<(NonNull<u8>, Layout)>,
     start: NonNull<u8>,
     bytes: usize,
 }
@@ -22,19 +28,23 @@ unsafe impl Sync for Memory {}
 impl Memory {
     /// So many zeroed bytes, or `None` where the system refuses them.
     pub(crate) fn zeroed(bytes: usize) -> Option<Self> {
-        let layout = Layout::from_size_align(bytes, ALIGN).ok()?;
         if bytes == 0 {
-            return Some(Self { start: NonNull::without_provenance(core::num::NonZero::new(ALIGN)?), bytes });
+            let start = NonNull::without_provenance(core::num::NonZero::new(LINE)?);
+            return Some(Self { block: None, start, bytes });
         }
+        let layout = Layout::from_size_align(bytes.checked_add(LINE)?, ALIGN).ok()?;
         // SAFETY: the size is not zero.
-        let start = NonNull::new(unsafe { alloc_zeroed(layout) })?;
-        Some(Self { start, bytes })
+        let block = NonNull::new(unsafe { alloc_zeroed(layout) })?;
+        let skip = block.as_ptr().align_offset(LINE);
+        // SAFETY: `skip` is below `LINE`, which was asked for on top of `bytes`.
+        let start = unsafe { block.add(skip) };
+        Some(Self { block: Some((block, layout)), start, bytes })
     }
 
     /// So many zeroed bytes; ends the program where the system refuses them.
     pub(crate) fn zeroed_or_abort(bytes: usize) -> Self {
         Self::zeroed(bytes).unwrap_or_else(|| {
-            handle_alloc_error(Layout::from_size_align(bytes.min(isize::MAX as usize - ALIGN), ALIGN).expect("a small alignment"))
+            handle_alloc_error(Layout::from_size_align(bytes.min(isize::MAX as usize - LINE), 1).expect("a small alignment"))
         })
     }
 
@@ -65,10 +75,9 @@ impl Memory {
 
 impl Drop for Memory {
     fn drop(&mut self) {
-        if self.bytes > 0 {
-            let layout = Layout::from_size_align(self.bytes, ALIGN).expect("the layout it was allocated with");
+        if let Some((block, layout)) = self.block {
             // SAFETY: allocated in `zeroed` with this very layout.
-            unsafe { dealloc(self.start.as_ptr(), layout) };
+            unsafe { dealloc(block.as_ptr(), layout) };
         }
     }
 }

@@ -1,9 +1,13 @@
 //! Putting a field's records into another order.
 
+use std::sync::{Mutex, PoisonError};
+
 use super::{Field, Memory};
 use crate::axes::{Axes, I};
+use crate::launch::run_jobs;
 use crate::layout::Layout;
 use crate::record::{Record, Whole};
+use crate::schedule::Schedule;
 
 /// The order that [`Field::reorder_by_key`] made: `old[n]` is where the record now at `n` stood before.
 ///
@@ -43,19 +47,41 @@ impl<R: Record, L: Layout<I>> Field<R, L, I> {
     /// assert_eq!(letters.to_vec(), [10, 11, 20, 30]);
     /// assert_eq!(order.old_places(), [1, 3, 2, 0]);
     /// ```
-    pub fn reorder_by_key<K: Into<u64>>(&mut self, key: impl Fn(&R) -> K) -> Permutation {
-        let keys: Vec<u64> = self.iter().map(|record| key(&record).into()).collect();
-        let old = stable_order(&keys);
+    pub fn reorder_by_key<K: Into<u64>>(&mut self, key: impl Fn(&R) -> K + Sync) -> Permutation {
+        let threads = Schedule::current().thread_count();
         let from = self.handle();
+        let mut keys = vec![0u64; self.len()];
+        in_parts(threads, &mut keys, |first, keys| {
+            for (n, to) in keys.iter_mut().enumerate() {
+                // SAFETY: the place lies within the shape; `&mut self` keeps writers away.
+                *to = key(&unsafe { from.read::<Whole>(I::place((first + n) as u32)) }).into();
+            }
+        });
+        let mut old = stable_order(&keys);
         let memory = Memory::zeroed_or_abort(self.memory.bytes());
         let to = from.at(memory.start());
-        for (now, &before) in old.iter().enumerate() {
-            // SAFETY: `old` is a permutation of the field's places; `memory` has the field's geometry and is not shared.
-            unsafe { to.write::<Whole>(I::place(now as u32), from.read::<Whole>(I::place(before))) };
-        }
+        in_parts(threads, &mut old, |first, old| {
+            for (n, &mut before) in old.iter_mut().enumerate() {
+                // SAFETY: `old` is a permutation of the field's places, of which each part writes its own; `memory` has
+                // the field's geometry, and nobody reads it yet.
+                unsafe { to.write::<Whole>(I::place((first + n) as u32), from.read::<Whole>(I::place(before))) };
+            }
+        });
         self.memory = memory;
         Permutation { old }
     }
+}
+
+/// Records that one job takes.
+const PART: usize = 1 << 15;
+
+/// Works on the parts of a list in parallel. `work` is told where its part begins.
+fn in_parts<T: Send>(threads: usize, list: &mut [T], work: impl Fn(usize, &mut [T]) + Sync) {
+    let parts: Vec<Mutex<&mut [T]>> = list.chunks_mut(PART).map(Mutex::new).collect();
+    run_jobs(threads, parts.len(), &|part| {
+        let mut list = parts[part].lock().unwrap_or_else(PoisonError::into_inner);
+        work(part * PART, &mut list);
+    });
 }
 
 impl I {

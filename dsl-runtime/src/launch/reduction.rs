@@ -61,8 +61,8 @@ impl<O: Operator<T::Scalar>, T: Element> Reduction<O, T> {
 
     /// Adds a block's result to the variable.
     #[inline(always)]
-    pub fn combine(self, to: &mut T, partial: Partial<O, T>) {
-        *to = zip::<O, T>(*to, partial.total());
+    pub fn combine(self, to: &mut T, total: T) {
+        *to = zip::<O, T>(*to, total);
     }
 }
 
@@ -119,7 +119,16 @@ impl<O: Operator<T::Scalar>, T: Element> Partial<O, T> {
         }
     }
 
-    fn total(&self) -> T {
-        self.lanes.iter().fold(identity::<O, T>(), |total, &lane| zip::<O, T>(total, lane))
+    /// The result of all lanes, folded in halves.
+    #[inline(always)]
+    pub fn total(mut self) -> T {
+        let mut half = LANES / 2;
+        while half > 0 {
+            for l in 0..half {
+                self.lanes[l] = zip::<O, T>(self.lanes[l], self.lanes[l + half]);
+            }
+            half /= 2;
+        }
+        self.lanes[0]
     }
 }

@@ -35,7 +35,11 @@ impl Mesh {
                 format!("({x}, {y}, {z})")
             };
             let plural = if count == 1 { "edge" } else { "edges" };
-            Some(MeshError(format!("is not closed: {count} {plural} {what}, the first from {} to {}", place(a), place(b))))
+            Some(MeshError(format!(
+                "is not closed: {count} {plural} {what}, the first from {} to {}",
+                place(a),
+                place(b)
+            )))
         };
         let open = fault("open, with a face on one side only", &|up, down| up + down == 1);
         let crowded = || fault("shared by more than two faces", &|up, down| up + down > 2);

@@ -12,9 +12,11 @@ impl ClosedMesh {
     /// A ray that hits an edge or a vertex is counted as if it passed beside it, always on the same side: see [`crosses`].
     pub fn fill(&self, spacing: f64) -> Vec<[f64; 3]> {
         let (low, high) = self.bounds();
-        let counts: [usize; 3] = std::array::from_fn(|axis| ((high[axis] - low[axis]) / spacing).ceil().max(1.0) as usize);
+        let counts: [usize; 3] =
+            std::array::from_fn(|axis| ((high[axis] - low[axis]) / spacing).ceil().max(1.0) as usize);
         // The lattice lies symmetrically in the box.
-        let first: [f64; 3] = std::array::from_fn(|axis| 0.5 * (low[axis] + high[axis]) - 0.5 * (counts[axis] - 1) as f64 * spacing);
+        let first: [f64; 3] =
+            std::array::from_fn(|axis| 0.5 * (low[axis] + high[axis]) - 0.5 * (counts[axis] - 1) as f64 * spacing);
         let at = |axis: usize, n: usize| first[axis] + n as f64 * spacing;
         // The lattice coordinates, from below, that can lie between two values; one more on each side than can, against rounding.
         let range = |axis: usize, from: f64, to: f64| {
@@ -26,7 +28,8 @@ impl ClosedMesh {
         let mut crossings: Vec<Vec<f64>> = vec![Vec::new(); counts[0] * counts[1]];
         for triangle in &self.triangles {
             let corners = triangle.map(|vertex| self.vertices[vertex as usize]);
-            let extreme = |axis: usize, pick: fn(f64, f64) -> f64| corners.iter().map(|x| x[axis]).reduce(pick).unwrap_or(0.0);
+            let extreme =
+                |axis: usize, pick: fn(f64, f64) -> f64| corners.iter().map(|x| x[axis]).reduce(pick).unwrap_or(0.0);
             for i in range(0, extreme(0, f64::min), extreme(0, f64::max)) {
                 for j in range(1, extreme(1, f64::min), extreme(1, f64::max)) {
                     if let Some(height) = crossing(corners, [at(0, i), at(1, j)]) {

@@ -10,7 +10,8 @@ use super::{Mesh, MeshError};
 /// # Errors
 /// If the text is not an OBJ file, a position is not finite, or there is no face.
 pub fn read_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
-    let options = tobj::LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..Default::default() };
+    let options =
+        tobj::LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..Default::default() };
     let (models, _) = tobj::load_obj_buf(&mut &bytes[..], &options, |_| Ok(Default::default()))
         .map_err(|error| MeshError(format!("is not a readable OBJ file: {error}")))?;
     let mut mesh = Mesh { vertices: Vec::new(), triangles: Vec::new() };

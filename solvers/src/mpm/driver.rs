@@ -38,7 +38,9 @@ impl<F: Fluid> Driver<F> {
     fn broken(&self, count: u32) -> StepError {
         let fastest = self.scene.dx() / self.scene.dt;
         let speed = |v: [f64; 3]| v.iter().map(|component| component * component).sum::<f64>().sqrt();
-        let sound = |particle: &Particle| particle.x.iter().all(|x| x.is_finite()) && speed(particle.v) <= fastest * (1.0 - 1e-6);
+        let sound = |particle: &Particle| {
+            particle.x.iter().all(|x| x.is_finite()) && speed(particle.v) <= fastest * (1.0 - 1e-6)
+        };
         let particles = self.in_given_order(|particle| particle);
         let first = particles.iter().position(|particle| !sound(particle)).unwrap_or(0);
         let Particle { x, v, .. } = particles[first];
@@ -74,11 +76,13 @@ impl<F: Fluid> Simulation for Driver<F> {
         lap(1);
         self.fluid.scatter(&self.parameters);
         lap(0);
-        self.fluid.update_grid(&self.parameters);
+        let suspicious = self.fluid.update_grid(&self.parameters);
         lap(1);
-        let broken = self.fluid.gather(&self.parameters);
+        self.fluid.gather(&self.parameters);
         lap(2);
         self.steps += 1;
+        // At the rim of the fluid nodes of hardly any mass may be fast while no particle is.
+        let broken = if suspicious > 0 { self.fluid.broken(&self.parameters) } else { 0 };
         if broken == 0 { Ok(()) } else { Err(self.broken(broken)) }
     }
 
@@ -132,7 +136,8 @@ impl<F: Fluid> Simulation for Driver<F> {
     fn totals(&self) -> Totals {
         let mass = self.scene.particle_volume() * self.scene.density;
         let inertia = mass * self.scene.dx().powi(2) / 4.0;
-        let mut totals = Totals { mass: mass * self.particles() as f64, momentum: [0.0; 3], angular_momentum: [0.0; 3] };
+        let mut totals =
+            Totals { mass: mass * self.particles() as f64, momentum: [0.0; 3], angular_momentum: [0.0; 3] };
         for place in 0..self.fluid.len() {
             let Particle { x, v, c } = self.fluid.particle(place);
             for axis in 0..3 {
@@ -142,5 +147,9 @@ impl<F: Fluid> Simulation for Driver<F> {
             }
         }
         totals
+    }
+
+    fn grid_mass(&self) -> f64 {
+        self.fluid.grid_mass()
     }
 }

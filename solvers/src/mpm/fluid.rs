@@ -20,11 +20,14 @@ pub(super) trait Fluid: Send + Sized {
     /// Mass and momentum, from particles to the grid.
     fn scatter(&mut self, parameters: &Self::Parameters);
 
-    /// Momentum to velocity, gravity, walls.
-    fn update_grid(&mut self, parameters: &Self::Parameters);
+    /// Momentum to velocity, gravity, walls. Tells how many nodes are not finite or move more than a cell a step.
+    fn update_grid(&mut self, parameters: &Self::Parameters) -> u32;
 
-    /// Velocity, from the grid to particles, which move. Tells how many of them are not finite or moved more than a cell.
-    fn gather(&mut self, parameters: &Self::Parameters) -> u32;
+    /// Velocity, from the grid to particles, which move.
+    fn gather(&mut self, parameters: &Self::Parameters);
+
+    /// How many particles are not finite or moved more than a cell; none, where [`update_grid`](Self::update_grid) told none.
+    fn broken(&self, parameters: &Self::Parameters) -> u32;
 
     /// Sorts the particles by cell.
     fn reorder(&mut self, parameters: &Self::Parameters) -> Permutation;
@@ -34,6 +37,9 @@ pub(super) trait Fluid: Send + Sized {
 
     /// The particle at a place.
     fn particle(&self, place: usize) -> Particle;
+
+    /// The mass on the grid.
+    fn grid_mass(&self) -> f64;
 
     /// Bytes of all fields.
     fn bytes(&self) -> usize;

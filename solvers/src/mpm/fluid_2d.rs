@@ -4,7 +4,7 @@ use allotrope::Permutation;
 use allotrope::prelude::*;
 
 use super::fluid::{Fluid, Particle, block_major};
-use super::kernels_2d::{clear, grid_to_particle, particle_to_grid, update_grid};
+use super::kernels_2d::{clear, count_broken, grid_to_particle, particle_to_grid, update_grid};
 use super::parameters::Mpm;
 use super::records::{Node2, Point2};
 use crate::scene::Particles;
@@ -37,17 +37,22 @@ impl<P: Layout<I>, G: Layout<Ij>> Fluid for Fluid2<P, G> {
         particle_to_grid(&self.points, &mut self.grid, mpm);
     }
 
-    fn update_grid(&mut self, mpm: &Mpm<Vec2>) {
-        update_grid(&mut self.grid, mpm);
+    fn update_grid(&mut self, mpm: &Mpm<Vec2>) -> u32 {
+        update_grid(&mut self.grid, mpm)
     }
 
-    fn gather(&mut self, mpm: &Mpm<Vec2>) -> u32 {
-        grid_to_particle(&mut self.points, &self.grid, mpm)
+    fn gather(&mut self, mpm: &Mpm<Vec2>) {
+        grid_to_particle(&mut self.points, &self.grid, mpm);
+    }
+
+    fn broken(&self, mpm: &Mpm<Vec2>) -> u32 {
+        count_broken(&self.points, mpm)
     }
 
     fn reorder(&mut self, mpm: &Mpm<Vec2>) -> Permutation {
         let [rows, columns] = self.grid.shape();
-        self.points.reorder_by_key(|point| block_major((point.x * mpm.inv_dx - 0.5).as_uvec2().extend(0), [rows, columns, 1]))
+        self.points
+            .reorder_by_key(|point| block_major((point.x * mpm.inv_dx - 0.5).as_uvec2().extend(0), [rows, columns, 1]))
     }
 
     fn len(&self) -> usize {
@@ -58,6 +63,10 @@ impl<P: Layout<I>, G: Layout<Ij>> Fluid for Fluid2<P, G> {
         let Point2 { x, v, c, .. } = self.points.get(place);
         let vector = |v: Vec2| [f64::from(v.x), f64::from(v.y), 0.0];
         Particle { x: vector(x), v: vector(v), c: [vector(c.row(0)), vector(c.row(1)), [0.0; 3]] }
+    }
+
+    fn grid_mass(&self) -> f64 {
+        self.grid.members().m.to_vec().into_iter().map(f64::from).sum()
     }
 
     fn bytes(&self) -> usize {

@@ -4,7 +4,7 @@ use allotrope::Permutation;
 use allotrope::prelude::*;
 
 use super::fluid::{Fluid, Particle, block_major};
-use super::kernels_3d::{clear, grid_to_particle, particle_to_grid, update_grid};
+use super::kernels_3d::{clear, count_broken, grid_to_particle, particle_to_grid, update_grid};
 use super::parameters::Mpm;
 use super::records::{Node3, Point3};
 use crate::scene::Particles;
@@ -38,12 +38,16 @@ impl<P: Layout<I>, G: Layout<Ijk>> Fluid for Fluid3<P, G> {
         particle_to_grid(&self.points, &mut self.grid, mpm);
     }
 
-    fn update_grid(&mut self, mpm: &Mpm<Vec3>) {
-        update_grid(&mut self.grid, mpm);
+    fn update_grid(&mut self, mpm: &Mpm<Vec3>) -> u32 {
+        update_grid(&mut self.grid, mpm)
     }
 
-    fn gather(&mut self, mpm: &Mpm<Vec3>) -> u32 {
-        grid_to_particle(&mut self.points, &self.grid, mpm)
+    fn gather(&mut self, mpm: &Mpm<Vec3>) {
+        grid_to_particle(&mut self.points, &self.grid, mpm);
+    }
+
+    fn broken(&self, mpm: &Mpm<Vec3>) -> u32 {
+        count_broken(&self.points, mpm)
     }
 
     fn reorder(&mut self, mpm: &Mpm<Vec3>) -> Permutation {
@@ -59,6 +63,10 @@ impl<P: Layout<I>, G: Layout<Ijk>> Fluid for Fluid3<P, G> {
         let Point3 { x, v, c, .. } = self.points.get(place);
         let vector = |v: Vec3| v.to_array().map(f64::from);
         Particle { x: vector(x), v: vector(v), c: [0, 1, 2].map(|row| vector(c.row(row))) }
+    }
+
+    fn grid_mass(&self) -> f64 {
+        self.grid.members().m.to_vec().into_iter().map(f64::from).sum()
     }
 
     fn bytes(&self) -> usize {

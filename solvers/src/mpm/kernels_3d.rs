@@ -33,23 +33,26 @@ pub fn particle_to_grid(points: &Field<Point3, _>, grid: &mut Field<Node3, _, Ij
     }
 }
 
-/// Makes momentum velocity, adds gravity, and lets nothing flow out through the walls.
+/// Makes momentum velocity, adds gravity, and lets nothing flow out through the walls. Returns how many nodes move more than a cell
+/// a step, or are not finite: a particle's velocity is a mean of its nodes', so that as long as there are none, all particles are
+/// sound.
 #[kernel]
-pub fn update_grid(grid: &mut Field<Node3, _, Ijk>, mpm: &Mpm<Vec3>) {
+pub fn update_grid(grid: &mut Field<Node3, _, Ijk>, mpm: &Mpm<Vec3>) -> u32 {
+    let mut broken = 0;
     for (i, j, k) in grid {
         let m = grid.m[(i, j, k)];
         if m > 0.0 {
-            let v = grid.v[(i, j, k)] / m + mpm.dt * mpm.gravity;
-            grid.v[(i, j, k)] = mpm.slip(ivec3(i, j, k), v);
+            let v = mpm.slip(ivec3(i, j, k), grid.v[(i, j, k)] / m + mpm.dt * mpm.gravity);
+            grid.v[(i, j, k)] = v;
+            broken += u32::from(!mpm.keeps_pace(v));
         }
     }
+    broken
 }
 
-/// Gathers velocity and its gradient from the 3 x 3 x 3 nodes of every point, and moves it. Returns how many points moved more than a
-/// cell, or are not finite.
+/// Gathers velocity and its gradient from the 3 x 3 x 3 nodes of every point, and moves it.
 #[kernel]
-pub fn grid_to_particle(points: &mut Field<Point3, _>, grid: &Field<Node3, _, Ijk>, mpm: &Mpm<Vec3>) -> u32 {
-    let mut broken = 0;
+pub fn grid_to_particle(points: &mut Field<Point3, _>, grid: &Field<Node3, _, Ijk>, mpm: &Mpm<Vec3>) {
     for p in points {
         let xp = points.x[p] * mpm.inv_dx;
         let base = (xp - 0.5).as_ivec3();
@@ -69,7 +72,15 @@ pub fn grid_to_particle(points: &mut Field<Point3, _>, grid: &Field<Node3, _, Ij
         points.c[p] = c;
         points.x[p] += mpm.dt * v;
         points.j[p] *= 1.0 + mpm.dt * (c.x_axis.x + c.y_axis.y + c.z_axis.z);
-        broken += u32::from(!mpm.keeps_pace(v));
+    }
+}
+
+/// How many points moved more than a cell in the last step, or are not finite.
+#[kernel]
+pub fn count_broken(points: &Field<Point3, _>, mpm: &Mpm<Vec3>) -> u32 {
+    let mut broken = 0;
+    for p in points {
+        broken += u32::from(!mpm.keeps_pace(points.v[p]));
     }
     broken
 }

@@ -1,7 +1,7 @@
 //! The time step that the fluid bears.
 
+use crate::SceneError;
 use crate::scene::{Particles, Scene};
-use crate::{SceneError};
 
 /// The largest stable time step of a scene whose fastest particle has the given speed: `dx / (c sqrt(d) + v)`, where
 /// `c = sqrt(E / density)` is the speed of sound in `d` dimensions.

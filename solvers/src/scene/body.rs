@@ -63,7 +63,19 @@ pub enum Fill {
 }
 
 pub(super) const KEYS: &[&str] = &[
-    "shape", "from", "to", "particles", "seed", "jitter", "center", "radius", "file", "scale", "move", "velocity", "spin",
+    "shape",
+    "from",
+    "to",
+    "particles",
+    "seed",
+    "jitter",
+    "center",
+    "radius",
+    "file",
+    "scale",
+    "move",
+    "velocity",
+    "spin",
 ];
 
 /// Keys that each shape takes beside `shape`, `velocity` and `spin`.
@@ -78,11 +90,17 @@ impl Body {
     pub(super) fn read(keys: &Keys<'_>, dimensions: usize, folder: &Folder) -> Result<Self, SceneError> {
         let name = keys.required_text("shape", "\"box\"")?;
         let Some((_, takes)) = SHAPES.iter().find(|(known, _)| *known == name) else {
-            return Err(keys.fault("shape", format!("is no shape{}", crate::nearest::hint(name, SHAPES.iter().map(|(name, _)| *name)))));
+            return Err(keys.fault(
+                "shape",
+                format!("is no shape{}", crate::nearest::hint(name, SHAPES.iter().map(|(name, _)| *name))),
+            ));
         };
         for key in KEYS.iter().filter(|key| !["shape", "velocity", "spin"].contains(key) && !takes.contains(key)) {
             if keys.has(key) {
-                return Err(keys.fault(key, format!("is not a key of a body of the shape `{name}`, which takes `{}`", takes.join("`, `"))));
+                return Err(keys.fault(
+                    key,
+                    format!("is not a key of a body of the shape `{name}`, which takes `{}`", takes.join("`, `")),
+                ));
             }
         }
         let shape = match name {
@@ -94,7 +112,11 @@ impl Body {
             "mesh" => read_mesh(keys, dimensions, folder)?,
             _ => read_points(keys, dimensions, folder)?,
         };
-        Ok(Self { shape, velocity: keys.vector("velocity", dimensions)?.unwrap_or_default(), spin: read_spin(keys, dimensions)? })
+        Ok(Self {
+            shape,
+            velocity: keys.vector("velocity", dimensions)?.unwrap_or_default(),
+            spin: read_spin(keys, dimensions)?,
+        })
     }
 
     /// Gives the positions of this body their velocities, and appends them.
@@ -133,12 +155,17 @@ impl Shape {
             other => other.volume(dimensions) / spacing.powi(dimensions as i32),
         };
         if estimate > room as f64 {
-            return Err(format!("would hold {estimate:.0} particles, and more than {} are refused", super::MOST_PARTICLES));
+            return Err(format!(
+                "would hold {estimate:.0} particles, and more than {} are refused",
+                super::MOST_PARTICLES
+            ));
         }
         Ok(match self {
             Self::Box { from, to, fill: Fill::Random { particles, seed } } => {
                 let mut random = ChaCha8Rng::seed_from_u64(*seed);
-                let mut within = |axis: usize| if axis < dimensions { from[axis] + (to[axis] - from[axis]) * unit(&mut random) } else { 0.0 };
+                let mut within = |axis: usize| {
+                    if axis < dimensions { from[axis] + (to[axis] - from[axis]) * unit(&mut random) } else { 0.0 }
+                };
                 (0..*particles).map(|_| std::array::from_fn(&mut within)).collect()
             }
             Self::Box { from, to, fill: Fill::Lattice { jitter, seed } } => {
@@ -153,7 +180,9 @@ impl Shape {
                 // A lattice of the very spacing, that is symmetrical about the centre.
                 let reach = 0.5 * spacing * (2.0 * radius / spacing).ceil();
                 let (from, to) = (center.map(|c| c - reach), center.map(|c| c + reach));
-                let inside = |x: &[f64; 3]| (0..dimensions).map(|axis| (x[axis] - center[axis]).powi(2)).sum::<f64>() <= radius * radius;
+                let inside = |x: &[f64; 3]| {
+                    (0..dimensions).map(|axis| (x[axis] - center[axis]).powi(2)).sum::<f64>() <= radius * radius
+                };
                 lattice(from, to, spacing, dimensions).into_iter().filter(inside).collect()
             }
             Self::Mesh(mesh) => mesh.fill(spacing),
@@ -171,7 +200,9 @@ fn unit(random: &mut ChaCha8Rng) -> f64 {
 fn lattice(from: [f64; 3], to: [f64; 3], spacing: f64, dimensions: usize) -> Vec<[f64; 3]> {
     let side = |axis: usize| if axis < dimensions { to[axis] - from[axis] } else { 0.0 };
     let count: [usize; 3] = std::array::from_fn(|axis| ((side(axis) / spacing).round() as usize).max(1));
-    let at = |axis: usize, n: usize| if axis < dimensions { from[axis] + side(axis) * (n as f64 + 0.5) / count[axis] as f64 } else { 0.0 };
+    let at = |axis: usize, n: usize| {
+        if axis < dimensions { from[axis] + side(axis) * (n as f64 + 0.5) / count[axis] as f64 } else { 0.0 }
+    };
     let mut positions = Vec::with_capacity(count.iter().product());
     for i in 0..count[0] {
         for j in 0..count[1] {
@@ -185,13 +216,15 @@ fn read_box(keys: &Keys<'_>, dimensions: usize) -> Result<Shape, SceneError> {
     let from = keys.required_vector("from", dimensions, "[0.2, 0.2]")?;
     let to = keys.required_vector("to", dimensions, "[0.6, 0.6]")?;
     if let Some(axis) = (0..dimensions).find(|&axis| to[axis] <= from[axis]) {
-        let message = format!("must lie above `from`, and on axis {axis} {} does not lie above {}", to[axis], from[axis]);
+        let message =
+            format!("must lie above `from`, and on axis {axis} {} does not lie above {}", to[axis], from[axis]);
         return Err(keys.fault("to", message));
     }
     let seed = keys.whole("seed", 0, i64::MAX)?.unwrap_or(0) as u64;
     let fill = match keys.whole("particles", 1, super::MOST_PARTICLES as i64)? {
         Some(_) if keys.has("jitter") => {
-            return Err(keys.fault("jitter", "moves particles of a lattice, and `particles` asks for random ones; leave one out"));
+            return Err(keys
+                .fault("jitter", "moves particles of a lattice, and `particles` asks for random ones; leave one out"));
         }
         Some(particles) => Fill::Random { particles: particles as usize, seed },
         None => {
@@ -211,7 +244,8 @@ fn read_mesh(keys: &Keys<'_>, dimensions: usize, folder: &Folder) -> Result<Shap
     }
     let name = keys.required_text("file", "\"bunny.obj\"")?;
     let bytes = folder.read(name).map_err(|fault| keys.fault("file", fault))?;
-    let mesh = read_obj(&bytes).and_then(|mesh| mesh.closed()).map_err(|fault| keys.fault("file", fault.to_string()))?;
+    let mesh =
+        read_obj(&bytes).and_then(|mesh| mesh.closed()).map_err(|fault| keys.fault("file", fault.to_string()))?;
     let scale = if keys.has("scale") { keys.positive("scale", "0.05")? } else { 1.0 };
     let offset = keys.vector("move", 3)?.unwrap_or_default();
     Ok(Shape::Mesh(mesh.placed(scale, offset)))
@@ -228,9 +262,13 @@ fn read_points(keys: &Keys<'_>, dimensions: usize, folder: &Folder) -> Result<Sh
         if words.is_empty() {
             continue;
         }
-        let numbers: Vec<f64> = words.iter().filter_map(|word| word.parse().ok()).filter(|x: &f64| x.is_finite()).collect();
+        let numbers: Vec<f64> =
+            words.iter().filter_map(|word| word.parse().ok()).filter(|x: &f64| x.is_finite()).collect();
         if numbers.len() != dimensions || words.len() != dimensions {
-            return Err(keys.fault("file", format!("has on line {} `{}`, where {dimensions} finite numbers are wanted", n + 1, line.trim())));
+            return Err(keys.fault(
+                "file",
+                format!("has on line {} `{}`, where {dimensions} finite numbers are wanted", n + 1, line.trim()),
+            ));
         }
         let mut position = [0.0; 3];
         position[..dimensions].copy_from_slice(&numbers);
@@ -240,5 +278,9 @@ fn read_points(keys: &Keys<'_>, dimensions: usize, folder: &Folder) -> Result<Sh
 }
 
 fn read_spin(keys: &Keys<'_>, dimensions: usize) -> Result<[f64; 3], SceneError> {
-    if dimensions == 2 { Ok([0.0, 0.0, keys.number("spin")?.unwrap_or(0.0)]) } else { Ok(keys.vector("spin", 3)?.unwrap_or_default()) }
+    if dimensions == 2 {
+        Ok([0.0, 0.0, keys.number("spin")?.unwrap_or(0.0)])
+    } else {
+        Ok(keys.vector("spin", 3)?.unwrap_or_default())
+    }
 }

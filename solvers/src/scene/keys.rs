@@ -107,7 +107,9 @@ impl<'a> Keys<'a> {
             return Err(self.fault(key, format!("is {}, where a list of {dimensions} numbers is wanted", kind(value))));
         };
         if items.len() != dimensions {
-            return Err(self.fault(key, format!("holds {}, where a list of {dimensions} numbers is wanted", items.len())));
+            return Err(
+                self.fault(key, format!("holds {}, where a list of {dimensions} numbers is wanted", items.len()))
+            );
         }
         let mut vector = [0.0; 3];
         for (component, item) in vector.iter_mut().zip(items) {
@@ -122,7 +124,13 @@ impl<'a> Keys<'a> {
     }
 
     /// One whole number for all axes, or a list of one an axis.
-    pub(super) fn extents(&self, key: &str, dimensions: usize, least: i64, most: i64) -> Result<[usize; 3], SceneError> {
+    pub(super) fn extents(
+        &self,
+        key: &str,
+        dimensions: usize,
+        least: i64,
+        most: i64,
+    ) -> Result<[usize; 3], SceneError> {
         let mut extents = [1; 3];
         match self.table.get(key) {
             None => return Err(self.missing(key, "128")),

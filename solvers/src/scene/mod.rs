@@ -65,7 +65,19 @@ pub struct Particles {
 }
 
 const KEYS: &[&str] = &[
-    "version", "about", "solver", "dimensions", "grid", "length", "dt", "gravity", "spacing", "wall", "reorder", "steps", "material",
+    "version",
+    "about",
+    "solver",
+    "dimensions",
+    "grid",
+    "length",
+    "dt",
+    "gravity",
+    "spacing",
+    "wall",
+    "reorder",
+    "steps",
+    "material",
     "body",
 ];
 
@@ -108,7 +120,9 @@ impl Scene {
         }
         let spacing = if keys.has("spacing") { keys.positive("spacing", "0.5")? } else { 0.5 };
         if !(0.05..=1.0).contains(&spacing) {
-            return Err(keys.fault("spacing", "is not from 0.05 to 1 cell; fewer than one particle a cell tears the fluid"));
+            return Err(
+                keys.fault("spacing", "is not from 0.05 to 1 cell; fewer than one particle a cell tears the fluid")
+            );
         }
         let Some(material) = keys.table("material", &["stiffness", "density"])? else {
             return Err(keys.fault("material", "is missing; write a table `[material]` with `stiffness` and `density`"));
@@ -171,8 +185,11 @@ impl Scene {
             *extent = (*extent as f64 * nodes as f64 / old as f64).round() as usize;
         }
         let [i, j, k] = self.grid;
-        if self.grid[..self.dimensions].iter().any(|&extent| !(least..=1 << 15).contains(&extent)) || i * j * k > 1 << 30 {
-            let message = format!("cannot be; an axis takes from {least} to {} nodes, all together at most 2^30", 1 << 15);
+        if self.grid[..self.dimensions].iter().any(|&extent| !(least..=1 << 15).contains(&extent))
+            || i * j * k > 1 << 30
+        {
+            let message =
+                format!("cannot be; an axis takes from {least} to {} nodes, all together at most 2^30", 1 << 15);
             return Err(self.fault(format!("grid = {nodes}"), message));
         }
         self.dt *= old as f64 / nodes as f64;
@@ -211,7 +228,10 @@ impl Scene {
             let volume: f64 = self.bodies.iter().map(|body| body.shape.volume(self.dimensions)).sum();
             self.spacing = (volume / count as f64).powf(1.0 / self.dimensions as f64) / self.dx();
             if !(0.05..=1.0).contains(&self.spacing) {
-                let message = format!("needs a spacing of {:.3} cells, which is not from 0.05 to 1; change the grid too", self.spacing);
+                let message = format!(
+                    "needs a spacing of {:.3} cells, which is not from 0.05 to 1; change the grid too",
+                    self.spacing
+                );
                 return Err(self.fault(key, message));
             }
         } else {
@@ -230,13 +250,17 @@ impl Scene {
             let key = format!("body[{n}]");
             let first = particles.x.len();
             let room = MOST_PARTICLES - first;
-            let positions = body.shape.fill(self.spacing * self.dx(), self.dimensions, room).map_err(|fault| self.fault(&*key, fault))?;
+            let positions = body
+                .shape
+                .fill(self.spacing * self.dx(), self.dimensions, room)
+                .map_err(|fault| self.fault(&*key, fault))?;
             if positions.is_empty() {
                 return Err(self.fault(key, "holds no particle; make it larger, or `spacing` smaller"));
             }
             if let Some(p) = positions.iter().position(|&x| !self.contains(x)) {
                 let dx = self.dx();
-                let upper: Vec<_> = self.grid[..self.dimensions].iter().map(|&n| format!("{:.4}", (n as f64 - 1.5) * dx)).collect();
+                let upper: Vec<_> =
+                    self.grid[..self.dimensions].iter().map(|&n| format!("{:.4}", (n as f64 - 1.5) * dx)).collect();
                 let message = format!(
                     "puts particle {} at {} outside the domain, which reaches from {:.4} on each axis to ({})",
                     first + p,

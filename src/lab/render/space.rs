@@ -94,7 +94,9 @@ impl View {
             let (x, y, depth) = view.turned(corner);
             [x / depth, y / depth]
         });
-        let end = |axis: usize, pick: fn(f64, f64) -> f64| corners.iter().map(|corner| corner[axis]).reduce(pick).unwrap_or(0.0);
+        let end = |axis: usize, pick: fn(f64, f64) -> f64| {
+            corners.iter().map(|corner| corner[axis]).reduce(pick).unwrap_or(0.0)
+        };
         let (low, high) = ([end(0, f64::min), end(1, f64::min)], [end(0, f64::max), end(1, f64::max)]);
         view.focus = (0.94 * columns as f64 / (high[0] - low[0])).min(0.94 * rows as f64 / (high[1] - low[1]));
         view.middle = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];

@@ -170,10 +170,10 @@ impl Launch<'_> {
         if checks.is_empty() { (quote!(true), true) } else { (quote!(#(#checks)&&*), false) }
     }
 
-    /// Offsets as an array; those over an unknown number of axes are zero, for as many as there can be.
+    /// Offsets as an array; none stand for zeros over an unknown number of axes.
     fn offset(&self, offset: &[i32]) -> TokenStream {
         if self.parallel.rank.is_none() {
-            return quote!([0; 4]);
+            return quote!([]);
         }
         let offset = offset.iter().map(|offset| {
             let size = Literal::u32_unsuffixed(offset.unsigned_abs());

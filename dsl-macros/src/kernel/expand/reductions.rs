@@ -54,8 +54,8 @@ pub(super) fn pieces(parallel: &Loop) -> Pieces {
         }),
         result: match partials.as_slice() {
             [] => quote!(),
-            [one] => quote!(#one),
-            several => quote!((#(#several),*)),
+            [one] => quote!(#one.total()),
+            several => quote!((#(#several.total()),*)),
         },
         strips: each(&|n| {
             let (s, t) = (s(n), t(n));

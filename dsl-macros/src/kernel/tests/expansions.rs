@@ -190,7 +190,7 @@ fn smooth(
                             __v2_v.flush(&__run);
                         },
                     );
-                __p0
+                __p0.total()
             },
         );
         for __out in __outs {
