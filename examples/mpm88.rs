@@ -15,19 +15,25 @@ const STIFFNESS: f32 = 400.0;
 const GRAVITY: Vec2 = vec2(0.0, -9.8);
 const WALL: i32 = 3; // nodes from the border that are solid
 
-/// A material point: position, velocity, velocity gradient, and volume by that at rest.
+/// A material point.
 #[derive(Record, Clone, Copy, Default)]
 pub struct Point {
+    /// Position.
     pub x: Vec2,
+    /// Velocity.
     pub v: Vec2,
+    /// Gradient of velocity.
     pub c: Mat2,
+    /// Volume by that at rest.
     pub j: f32,
 }
 
-/// A grid node: momentum, then velocity, and mass.
+/// A grid node.
 #[derive(Record, Clone, Copy, Default)]
 pub struct Node {
+    /// Momentum, then velocity.
     pub v: Vec2,
+    /// Mass.
     pub m: f32,
 }
 

@@ -170,7 +170,8 @@ fn what_is_not_finite_is_found_at_its_step() {
 
 #[test]
 fn fluid_comes_to_rest_under_its_own_pressure() {
-    // A pool as wide as its box, let down gently: at its floor the pressure is rho g h, so it is compressed by rho g h / E.
+    // A pool as wide as its box, let down gently: at its floor the pressure is rho g h, so it is compressed by rho g h
+    // / E.
     let pool = r#"
 version = 1
 solver = "mpm"

@@ -1,7 +1,7 @@
 //! Physics solvers written in Allotrope.
 //!
-//! [`solvers`] is the one list of them: the laboratory, the benches and the equivalence tests take solvers, scenes and layouts
-//! from it, so that what is added here is run, measured and tested everywhere.
+//! [`solvers`] is the one list of them: the laboratory, the benches and the equivalence tests take solvers, scenes and
+//! layouts from it, so that what is added here is run, measured and tested everywhere.
 //!
 //! ```
 //! let mpm = allotrope_solvers::solver("mpm").unwrap();
@@ -21,6 +21,6 @@ pub mod scene;
 mod simulation;
 
 pub use nearest::nearest;
-pub use registry::{LayoutInfo, SceneInfo, SolverInfo, solver, solvers};
+pub use registry::{Built, LayoutInfo, SceneInfo, SolverInfo, solver, solvers};
 pub use scene::{Scene, SceneError};
 pub use simulation::{Simulation, StepError, Totals};

@@ -1,7 +1,7 @@
 //! The name that was probably meant.
 
-/// The known name nearest to `name`, if one is near enough to be a slip of the finger (Damerau-Levenshtein distance of at most
-/// a third of the longer name, at least one), or if one begins with the other.
+/// The known name nearest to `name`, if one is near enough to be a slip of the finger (Damerau-Levenshtein distance of
+/// at most a third of the longer name, at least one), or if one begins with the other.
 ///
 /// ```
 /// use allotrope_solvers::nearest;

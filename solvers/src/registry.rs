@@ -16,8 +16,11 @@ pub struct SolverInfo {
     /// The layouts in which it was compiled; the first is the default.
     pub layouts: &'static [LayoutInfo],
     /// Makes the simulation of a scene in one of [`layouts`](Self::layouts).
-    pub build: fn(&Scene, layout: &str) -> Result<Box<dyn Simulation>, SceneError>,
+    pub build: fn(&Scene, layout: &str) -> Built,
 }
+
+/// A simulation, or why its scene cannot be built.
+pub type Built = Result<Box<dyn Simulation>, SceneError>;
 
 /// A built-in scene.
 #[derive(Debug)]

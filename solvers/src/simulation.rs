@@ -3,12 +3,14 @@
 use std::fmt;
 use std::time::Duration;
 
-/// A simulation in some layout, advanced a step at a time. Schedules are given from outside: `schedule.run(|| simulation.step())`.
+/// A simulation in some layout, advanced a step at a time. Schedules are given from outside: `schedule.run(||
+/// simulation.step())`.
 pub trait Simulation: Send {
     /// The parts of a step whose times [`step_timed`](Self::step_timed) tells apart.
     fn kernel_names(&self) -> &'static [&'static str];
 
-    /// Advances by one step and adds the time of each part to `spent`, which is as long as [`kernel_names`](Self::kernel_names).
+    /// Advances by one step and adds the time of each part to `spent`, which is as long as
+    /// [`kernel_names`](Self::kernel_names).
     ///
     /// # Errors
     /// Where the step would be meaningless: something is not finite, or moves more than a cell.

@@ -114,7 +114,7 @@ fn other_sizes_keep_the_scene() {
         scene.map(|_| ()).map_err(|error: allotrope_solvers::SceneError| error.to_string()).unwrap_err()
     };
     assert!(error(mpm88().with_grid(4)).starts_with("scene `mpm88`: `grid = 4` cannot be"));
-    assert!(error(mpm88().with_grid(1 << 20)).contains("at most 2^30"));
+    assert!(error(mpm88().with_grid(1 << 20)).contains("at most 2^28"));
     assert!(error(parse(GOOD).unwrap().with_particles(5)).contains("needs a spacing of"));
     assert!(error(mpm88().with_particles(usize::MAX)).contains("is not from 1 to"));
 }

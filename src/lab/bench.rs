@@ -1,4 +1,5 @@
-//! `allotrope bench`: one scene in many layouts, interleaved, so that a change of the machine's speed meets all of them alike.
+//! `allotrope bench`: one scene in many layouts, interleaved, so that a change of the machine's speed meets all of them
+//! alike.
 
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -143,7 +144,7 @@ pub fn bench(plan: &Plan, json: Option<&Path>) -> Result<(), LabError> {
         output::writable(path)?;
     }
     let (report, about) = measure(plan)?;
-    print!("{}", text(&report, &about));
+    output::print(&text(&report, &about))?;
     match json {
         Some(path) => {
             let line = serde_json::to_string(&report).map_err(|error| LabError::failure(error.to_string()))?;
@@ -228,9 +229,9 @@ fn row(contender: &Contender, reference: &[[f64; 3]]) -> Row {
     }
 }
 
-/// The steps of each repetition, where a step of all contenders takes `each` seconds: as many as are asked for, or what takes
-/// about 20 seconds. Where particles are sorted every so many steps, each repetition has whole such rounds, so that it has its
-/// share of sorts.
+/// The steps of each repetition, where a step of all contenders takes `each` seconds: as many as are asked for, or what
+/// takes about 20 seconds. Where particles are sorted every so many steps, each repetition has whole such rounds, so
+/// that it has its share of sorts.
 fn pieces(each: f64, asked: Option<u64>, reorder: u64) -> Vec<u64> {
     let sorted = reorder > 1 && asked.is_none_or(|steps| steps >= reorder);
     let round = if sorted { reorder } else { 1 };
@@ -255,8 +256,8 @@ fn verification_steps(particles: usize, asked: Option<u64>) -> u64 {
     bearable.min(asked.unwrap_or(bearable))
 }
 
-/// Checks that all contenders are in the state of the first: the order of additions alone may differ, which leaves positions
-/// within some roundings of the domain's extent. Gives the largest difference.
+/// Checks that all contenders are in the state of the first: the order of additions alone may differ, which leaves
+/// positions within some roundings of the domain's extent. Gives the largest difference.
 fn verify(contenders: &[Contender], steps: u64) -> Result<f64, LabError> {
     let reference = contenders[0].simulation.positions();
     let extent = contenders[0].simulation.extent().into_iter().fold(0.0, f64::max);
@@ -266,7 +267,8 @@ fn verify(contenders: &[Contender], steps: u64) -> Result<f64, LabError> {
         let (error, particle) = difference(&reference, &contender.simulation.positions());
         if error.is_nan() || error > bound {
             return Err(LabError::failure(format!(
-                "after {steps} steps {} with schedule {} is in another state than {}: particle {particle} differs by {error:.3e}, above {bound:.3e}",
+                "after {steps} steps {} with schedule {} is in another state than {}: particle {particle} differs by \
+                 {error:.3e}, above {bound:.3e}",
                 contender.layout, contender.named.name, contenders[0].layout
             )));
         }

@@ -10,7 +10,7 @@ use clap::{Args, Parser, Subcommand};
 
 use super::errors::LabError;
 use super::machine::{self, NamedSchedule};
-use super::{bench, list, run};
+use super::{bench, list, output, run};
 
 /// The layout laboratory: runs one simulation in many data layouts, and shows what each costs.
 #[derive(Debug, Parser)]
@@ -42,7 +42,8 @@ pub struct RunArguments {
     #[arg(long, value_name = "S", default_value = "auto")]
     schedule: String,
     /// Pictures to write, from the start to the end
-    #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u64).range(1..=1_000_000), conflicts_with = "every")]
+    #[arg(long, value_name = "N", default_value_t = 60, conflicts_with = "every")]
+    #[arg(value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     frames: u64,
     /// Steps from one picture to the next, instead of `--frames`
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
@@ -81,7 +82,8 @@ struct What {
     /// Another number of nodes along the first axis than the scene's; the time step is scaled with the cells
     #[arg(long, value_name = "N", value_parser = count)]
     grid: Option<usize>,
-    /// Steps after which particles are sorted by cell, 0 for never [default: the scene's; with --particles above 65536, 32]
+    /// Steps after which particles are sorted by cell, 0 for never [default: the scene's; with --particles above 65536,
+    /// 32]
     #[arg(long, value_name = "N")]
     reorder: Option<u64>,
     /// Threads [default: ALLOTROPE_THREADS, or as many as the processor runs]
@@ -109,11 +111,12 @@ fn threads(text: &str) -> Result<usize, String> {
     }
 }
 
-/// More particles than this are sorted by cell unless the command says otherwise: grid and particles no longer fit into a
-/// core's second cache, and a scattered access costs more than the sort does.
+/// More particles than this are sorted by cell unless the command says otherwise: grid and particles no longer fit into
+/// a core's second cache, and a scattered access costs more than the sort does.
 const SORTED_ABOVE: usize = 1 << 16;
 
-/// How often they are sorted: within so many steps the fastest of them cross some cells, and the cost of a sort is spread thin.
+/// How often they are sorted: within so many steps the fastest of them cross some cells, and the cost of a sort is
+/// spread thin.
 const SORTED_EVERY: u64 = 32;
 
 impl What {
@@ -121,7 +124,8 @@ impl What {
         allotrope_solvers::solver(&self.solver).map_err(LabError::usage)
     }
 
-    /// The scene as it was asked for. What looks like a file (with a dot or a separator in its name, or there) is read as one.
+    /// The scene as it was asked for. What looks like a file (with a dot or a separator in its name, or there) is read
+    /// as one.
     fn scene(&self, solver: &SolverInfo) -> Result<Scene, LabError> {
         let name = self.scene.as_deref().unwrap_or(solver.scenes[0].name);
         let built_in = solver.scenes.iter().any(|scene| scene.name == name);
@@ -199,10 +203,7 @@ impl Cli {
     pub fn execute(self) -> Result<(), LabError> {
         machine::check()?;
         match self.command {
-            Command::List => {
-                print!("{}", list::text());
-                Ok(())
-            }
+            Command::List => output::print(&list::text()),
             Command::Run(arguments) => arguments.execute(),
             Command::Bench(arguments) => arguments.execute(),
         }

@@ -51,8 +51,8 @@ impl From<StepError> for LabError {
     }
 }
 
-/// Runs a command, prints its error and gives its status. A panic, which is a fault of the program or of a kernel, is told in
-/// one line too.
+/// Runs a command, prints its error and gives its status. A panic, which is a fault of the program or of a kernel, is
+/// told in one line too.
 pub fn report(command: impl FnOnce() -> Result<(), LabError>) -> ExitCode {
     panic::set_hook(Box::new(|_| ()));
     let outcome = panic::catch_unwind(AssertUnwindSafe(command));

@@ -1,6 +1,7 @@
-//! Files are written beside their place and then renamed, so that there is never half a file.
+//! Files are written beside their place and then renamed, so that there is never half a file; and text is printed.
 
 use std::fs;
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use super::errors::LabError;
@@ -47,4 +48,18 @@ pub fn writable(path: &Path) -> Result<(), LabError> {
     };
     let probe = above.join(format!(".{}.part", std::process::id()));
     fs::write(&probe, []).and_then(|()| fs::remove_file(&probe)).map_err(|error| fault(error.to_string()))
+}
+
+/// Prints text to the standard output. That nobody reads it any more (`allotrope list | head -1`) is no fault.
+///
+/// # Errors
+/// If it cannot be written for another reason.
+pub fn print(text: &str) -> Result<(), LabError> {
+    let mut output = std::io::stdout().lock();
+    match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(LabError::failure(format!("the standard output cannot be written: {error}")))
+        }
+        _ => Ok(()),
+    }
 }

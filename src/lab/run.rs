@@ -32,8 +32,8 @@ pub struct Plan {
     pub out: PathBuf,
 }
 
-/// Runs the plan: pictures `frame_0000.png`, .. from the start on, a progress bar where there is a terminal, and a last line
-/// with the speed.
+/// Runs the plan: pictures `frame_0000.png`, .. from the start on, a progress bar where there is a terminal, and a last
+/// line with the speed.
 ///
 /// # Errors
 /// If the scene cannot be built, a step is refused or a picture cannot be written.
@@ -42,8 +42,8 @@ pub fn run(plan: &Plan) -> Result<(), LabError> {
     output::folder(&plan.out)?;
     let schedule = plan.schedule.with_threads(plan.threads);
     let grid: Vec<String> = simulation.grid_shape().iter().map(usize::to_string).collect();
-    println!(
-        "{} of scene {} in {}: {} particles, {} nodes, {} threads, {}",
+    output::print(&format!(
+        "{} of scene {} in {}: {} particles, {} nodes, {} threads, {}\n",
         plan.solver.name,
         plan.scene.file,
         plan.layout,
@@ -51,7 +51,7 @@ pub fn run(plan: &Plan) -> Result<(), LabError> {
         grid.join(" x "),
         machine::threads(plan.threads),
         machine::instruction_set()
-    );
+    ))?;
 
     let camera = Camera::new(&*simulation, &plan.scene);
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} steps, {per_sec}, {eta} left {msg}");
@@ -83,12 +83,12 @@ pub fn run(plan: &Plan) -> Result<(), LabError> {
         frames += 1;
     }
     bar.finish_and_clear();
-    println!(
-        "{done} steps ({:.3} s simulated) in {:.2} s, {:.0} steps a second without the pictures; {frames} pictures in {}",
+    output::print(&format!(
+        "{done} steps ({:.3} s simulated) in {:.2} s, {:.0} steps a second without the pictures; {frames} pictures in \
+         {}\n",
         simulation.time(),
         spent.as_secs_f64(),
         done as f64 / spent.as_secs_f64(),
         plan.out.display()
-    );
-    Ok(())
+    ))
 }

@@ -8,7 +8,8 @@ use allotrope::prelude::*;
 use allotrope_solvers::scene::{Folder, Shape};
 use allotrope_solvers::{Scene, Simulation, SolverInfo, solver};
 
-/// An array of the reference data, as `f64`; its members `x0` and so on are NumPy's `.npy`, version 1, of little-endian floats.
+/// An array of the reference data, as `f64`; its members `x0` and so on are NumPy's `.npy`, version 1, of little-endian
+/// floats.
 pub(crate) fn reference(name: &str) -> Vec<f64> {
     let file = std::fs::File::open(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/mpm88.npz")).unwrap();
     let mut archive = zip::ZipArchive::new(file).unwrap();

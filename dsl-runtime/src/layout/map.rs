@@ -2,6 +2,7 @@
 
 use core::marker::PhantomData;
 
+use super::node::order;
 use super::place::{Streams, round_up};
 use super::{Geometry, Inner, Layout, Place, flat};
 use crate::axes::{Axes, MAX_AXES, PerAxis, sum};
@@ -56,6 +57,18 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         }
         components
     };
+
+    /// The root's fastest axis, whose stride is 1 by construction: a constant.
+    const FASTEST: usize = {
+        let (axes, count) = order::<X>(L::ROOT);
+        axes[count - 1]
+    };
+
+    /// The root's cells between neighbours along an axis.
+    #[inline(always)]
+    pub(crate) fn root_stride(geometry: &Geometry, axis: usize) -> usize {
+        if axis == Self::FASTEST { 1 } else { geometry.stride[axis] }
+    }
 
     /// All bytes of a field; `None` where they overflow.
     pub(crate) fn bytes(geometry: &Geometry) -> Option<usize> {
@@ -142,12 +155,12 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     #[inline(always)]
     pub(crate) fn term(geometry: &Geometry, m: usize, axis: usize, c: u32) -> usize {
         if Self::FLAT {
-            (c as usize).wrapping_mul(geometry.stride[axis]).wrapping_mul(Self::stride(m))
+            (c as usize).wrapping_mul(Self::root_stride(geometry, axis)).wrapping_mul(Self::stride(m))
         } else {
             let extent = Self::EXTENT[axis] as u32;
             let (block, inner) = (c / extent, c % extent);
             (block as usize)
-                .wrapping_mul(geometry.stride[axis])
+                .wrapping_mul(Self::root_stride(geometry, axis))
                 .wrapping_mul(Self::BLOCK_BYTES)
                 .wrapping_add(Self::inner(m, axis, inner as usize))
         }

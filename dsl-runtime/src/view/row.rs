@@ -9,7 +9,7 @@ use crate::axes::{Axes, MAX_AXES, per_axis, sum};
 use crate::field::Handle;
 use crate::index::within;
 use crate::launch::{Cell, Run, Space};
-use crate::layout::{Digit, Inner, Layout, Map, run_axis};
+use crate::layout::{Digit, Inner, Layout, Map};
 use crate::record::{ElementList, Path, Record};
 
 /// The longest run whose writes are held back.
@@ -78,8 +78,6 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
 
     const STRIDE: usize = Map::<R, L, X>::stride(Self::MEMBER);
     const COMPONENT: usize = Map::<R, L, X>::constant_component(Self::MEMBER);
-    /// Whether neighbours along the run are neighbours in memory (`Even`).
-    const ADJACENT: bool = run_axis::<L, X>() == S::AXIS;
 
     #[inline(always)]
     fn component(&self) -> usize {
@@ -95,14 +93,15 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
                 #[inline(always)]
                 |a| {
                     let at = run.at[a].wrapping_add(offset[a]) as usize;
-                    at.wrapping_mul(geometry.stride[a]).wrapping_mul(Self::STRIDE)
+                    at.wrapping_mul(Map::<R, L, X>::root_stride(geometry, a)).wrapping_mul(Self::STRIDE)
                 },
             )),
             Kind::Blocks => Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_add(sum::<X>(
                 #[inline(always)]
                 |a| {
                     if a == S::AXIS {
-                        run.block[a].wrapping_mul(geometry.stride[a]).wrapping_mul(Map::<R, L, X>::BLOCK_BYTES)
+                        let stride = Map::<R, L, X>::root_stride(geometry, a);
+                        run.block[a].wrapping_mul(stride).wrapping_mul(Map::<R, L, X>::BLOCK_BYTES)
                     } else {
                         block_term::<R, L, X>(handle, Self::MEMBER, a, run.block[a], run.inner[a] as i64 + offset[a])
                     }
@@ -123,7 +122,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
         let geometry = &self.handle.geometry;
         match Self::KIND {
             Kind::Even => {
-                let step = if Self::ADJACENT { 1 } else { geometry.stride[S::AXIS] };
+                let step = Map::<R, L, X>::root_stride(geometry, S::AXIS);
                 let bytes = cell.k.wrapping_mul(step.wrapping_mul(Self::STRIDE));
                 if S::RUN == 0 {
                     // SAFETY: element 0 is visited too, so that it and the cell both lie in the field's memory.
@@ -234,7 +233,7 @@ fn block_term<R: Record, L: Layout<X>, X: Axes>(
     let (over, place) = (c.div_euclid(extent), c.rem_euclid(extent));
     block
         .wrapping_add(over as usize)
-        .wrapping_mul(handle.geometry.stride[axis])
+        .wrapping_mul(Map::<R, L, X>::root_stride(&handle.geometry, axis))
         .wrapping_mul(Map::<R, L, X>::BLOCK_BYTES)
         .wrapping_add(Map::<R, L, X>::inner(member, axis, place as usize))
 }

@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 use super::{Mesh, MeshError};
 
-/// A mesh in which every edge belongs to exactly two triangles, which run through it in opposite directions: it has an inside,
-/// and a volume.
+/// A mesh in which every edge belongs to exactly two triangles, which run through it in opposite directions: it has an
+/// inside, and a volume.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosedMesh {
     pub(super) vertices: Vec<[f64; 3]>,
@@ -59,7 +59,7 @@ impl ClosedMesh {
             .iter()
             .map(|triangle| {
                 // About the first vertex, so that a mesh far from the origin loses no digits.
-                let [a, b, c] = triangle.map(|vertex| self.from_first(vertex));
+                let [a, b, c] = triangle.map(|vertex| self.arm_of(vertex));
                 let cross = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
                 a[0] * cross[0] + a[1] * cross[1] + a[2] * cross[2]
             })
@@ -67,7 +67,7 @@ impl ClosedMesh {
         (six_fold / 6.0).abs()
     }
 
-    fn from_first(&self, vertex: u32) -> [f64; 3] {
+    fn arm_of(&self, vertex: u32) -> [f64; 3] {
         let (first, x) = (self.vertices[0], self.vertices[vertex as usize]);
         std::array::from_fn(|axis| x[axis] - first[axis])
     }

@@ -6,10 +6,11 @@ use super::ClosedMesh;
 type Vertex = [f64; 3];
 
 impl ClosedMesh {
-    /// The points of a cubic lattice of the given spacing that lie inside, the third axis running fastest. Their number times the
-    /// spacing cubed approaches the volume; nothing is normalised.
+    /// The points of a cubic lattice of the given spacing that lie inside, the third axis running fastest. Their number
+    /// times the spacing cubed approaches the volume; nothing is normalised.
     ///
-    /// A ray that hits an edge or a vertex is counted as if it passed beside it, always on the same side: see [`crosses`].
+    /// A ray that hits an edge or a vertex is counted as if it passed beside it, always on the same side: see
+    /// [`crosses`].
     pub fn fill(&self, spacing: f64) -> Vec<[f64; 3]> {
         let (low, high) = self.bounds();
         let counts: [usize; 3] =
@@ -18,7 +19,8 @@ impl ClosedMesh {
         let first: [f64; 3] =
             std::array::from_fn(|axis| 0.5 * (low[axis] + high[axis]) - 0.5 * (counts[axis] - 1) as f64 * spacing);
         let at = |axis: usize, n: usize| first[axis] + n as f64 * spacing;
-        // The lattice coordinates, from below, that can lie between two values; one more on each side than can, against rounding.
+        // The lattice coordinates, from below, that can lie between two values; one more on each side than can, against
+        // rounding.
         let range = |axis: usize, from: f64, to: f64| {
             let from = ((from - first[axis]) / spacing).ceil() - 1.0;
             let to = ((to - first[axis]) / spacing).floor() + 2.0;
@@ -73,9 +75,9 @@ fn area(from: Vertex, to: Vertex, point: [f64; 2]) -> f64 {
     (from[0] - point[0]) * (to[1] - point[1]) - (from[1] - point[1]) * (to[0] - point[0])
 }
 
-/// Whether the half-line from the point along the first axis crosses the projected edge. The answer belongs to the edge, to the
-/// last bit and in whichever direction it is run through, and an edge of a closed mesh has two triangles: so the number of
-/// triangles found inside above any point is even, whatever is hit or rounded.
+/// Whether the half-line from the point along the first axis crosses the projected edge. The answer belongs to the
+/// edge, to the last bit and in whichever direction it is run through, and an edge of a closed mesh has two triangles:
+/// so the number of triangles found inside above any point is even, whatever is hit or rounded.
 fn crosses(from: Vertex, to: Vertex, point: [f64; 2]) -> bool {
     let (low, high) = if from[1] <= to[1] { (from, to) } else { (to, from) };
     low[1] <= point[1] && point[1] < high[1] && area(low, high, point) > 0.0

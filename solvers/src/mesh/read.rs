@@ -4,8 +4,9 @@ use std::collections::HashMap;
 
 use super::{Mesh, MeshError};
 
-/// Reads the triangles of an OBJ file; polygons are cut into fans. All objects of the file make one mesh, in which vertices at
-/// equal positions are one vertex, since many programs write a vertex once for each face or object that it belongs to.
+/// Reads the triangles of an OBJ file; polygons are cut into fans. All objects of the file make one mesh, in which
+/// vertices at equal positions are one vertex, since many programs write a vertex once for each face or object that it
+/// belongs to.
 ///
 /// # Errors
 /// If the text is not an OBJ file, a position is not finite, or there is no face.

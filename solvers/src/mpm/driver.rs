@@ -34,7 +34,8 @@ impl<F: Fluid> Driver<F> {
         values
     }
 
-    /// Why the step that was just done is meaningless: the first particle, in the order given, that is not finite or too fast.
+    /// Why the step that was just done is meaningless: the first particle, in the order given, that is not finite or
+    /// too fast.
     fn broken(&self, count: u32) -> StepError {
         let fastest = self.scene.dx() / self.scene.dt;
         let speed = |v: [f64; 3]| v.iter().map(|component| component * component).sum::<f64>().sqrt();
@@ -131,8 +132,8 @@ impl<F: Fluid> Simulation for Driver<F> {
         self.in_given_order(|particle| particle.v)
     }
 
-    /// The affine part of the angular momentum is `m dx^2 / 4` times twice the antisymmetric part of the gradient (quadratic
-    /// splines; Jiang et al. 2017, "An angular momentum conserving affine-particle-in-cell method").
+    /// The affine part of the angular momentum is `m dx^2 / 4` times twice the antisymmetric part of the gradient
+    /// (quadratic splines; Jiang et al. 2017, "An angular momentum conserving affine-particle-in-cell method").
     fn totals(&self) -> Totals {
         let mass = self.scene.particle_volume() * self.scene.density;
         let inertia = mass * self.scene.dx().powi(2) / 4.0;

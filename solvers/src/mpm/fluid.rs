@@ -26,7 +26,8 @@ pub(super) trait Fluid: Send + Sized {
     /// Velocity, from the grid to particles, which move.
     fn gather(&mut self, parameters: &Self::Parameters);
 
-    /// How many particles are not finite or moved more than a cell; none, where [`update_grid`](Self::update_grid) told none.
+    /// How many particles are not finite or moved more than a cell; none, where [`update_grid`](Self::update_grid) told
+    /// none.
     fn broken(&self, parameters: &Self::Parameters) -> u32;
 
     /// Sorts the particles by cell.
@@ -54,8 +55,8 @@ pub(super) struct Particle {
     pub(super) c: [[f64; 3]; 3],
 }
 
-/// The key by which particles are sorted: their first node in blocks of 4 nodes an axis, block after block, so that neighbours in
-/// memory share nodes of the grid, whatever its layout.
+/// The key by which particles are sorted: their first node in blocks of 4 nodes an axis, block after block, so that
+/// neighbours in memory share nodes of the grid, whatever its layout.
 ///
 /// ```
 /// use allotrope::prelude::*;

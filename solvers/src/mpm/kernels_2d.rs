@@ -33,9 +33,9 @@ pub fn particle_to_grid(points: &Field<Point2, _>, grid: &mut Field<Node2, _, Ij
     }
 }
 
-/// Makes momentum velocity, adds gravity, and lets nothing flow out through the walls. Returns how many nodes move more than a cell
-/// a step, or are not finite: a particle's velocity is a mean of its nodes', so that as long as there are none, all particles are
-/// sound.
+/// Makes momentum velocity, adds gravity, and lets nothing flow out through the walls. Returns how many nodes move more
+/// than a cell a step, or are not finite: a particle's velocity is a mean of its nodes', so that as long as there are
+/// none, all particles are sound.
 #[kernel]
 pub fn update_grid(grid: &mut Field<Node2, _, Ij>, mpm: &Mpm<Vec2>) -> u32 {
     let mut broken = 0;

@@ -1,11 +1,13 @@
 //! The material point method for a weakly compressible fluid, in a plane and in space.
 //!
-//! MLS-MPM (Hu et al. 2018) with quadratic B-splines and the affine transfer of APIC (Jiang et al. 2015): mass and momentum are
-//! scattered from particles to a grid, which gravity and walls act on; then velocity and its gradient are gathered back, and the
-//! particles move. Pressure is `E (1 - j)`, where `j`, a particle's volume over that at rest, follows the divergence.
+//! MLS-MPM (Hu et al. 2018) with quadratic B-splines and the affine transfer of APIC (Jiang et al. 2015): mass and
+//! momentum are scattered from particles to a grid, which gravity and walls act on; then velocity and its gradient are
+//! gathered back, and the particles move. Pressure is `E (1 - j)`, where `j`, a particle's volume over that at rest,
+//! follows the divergence.
 //!
-//! The kernels are written once, against members; [`layouts`](self) in which they are compiled stand in one list. Sorting the
-//! particles by cell now and then (`reorder` of a scene) changes neither the algorithm nor the order in which positions are told.
+//! The kernels are written once, against members; the layouts in which they are compiled stand in one list.
+//! Sorting the particles by cell now and then (`reorder` of a scene) changes neither the algorithm nor the order in
+//! which positions are told.
 
 mod driver;
 mod fluid;
@@ -28,7 +30,7 @@ pub use stability::largest_step;
 
 pub(crate) const SOLVER: SolverInfo = SolverInfo {
     name: "mpm",
-    about: "the material point method for a weakly compressible fluid, in 2D and 3D (MLS-MPM with quadratic B-splines and APIC)",
+    about: "the material point method for a weakly compressible fluid in 2D and 3D (MLS-MPM, APIC, quadratic splines)",
     scenes: scenes::SCENES,
     layouts: layouts::LAYOUTS,
     build: layouts::build,

@@ -17,8 +17,9 @@ pub struct Mpm<V> {
     pub dt: f32,
     /// Mass of a particle in kg.
     pub mass: f32,
-    /// `-4 dt E V / dx^2` with the stiffness `E` and the particle's volume `V`: times `j - 1`, what pressure adds in a step to the
-    /// affine momentum (Hu et al. 2018, "A moving least squares material point method", eq. 29, with `D = dx^2 / 4`).
+    /// `-4 dt E V / dx^2` with the stiffness `E` and the particle's volume `V`: times `j - 1`, what pressure adds in a
+    /// step to the affine momentum (Hu et al. 2018, "A moving least squares material point method", eq. 29, with `D =
+    /// dx^2 / 4`).
     pub pressure: f32,
     /// In m/s^2.
     pub gravity: V,
@@ -100,8 +101,8 @@ impl Mpm<Vec3> {
     }
 }
 
-/// The quadratic B-spline weights of the three nodes along each axis, where `fx` is the distance from the first of them in cells,
-/// from 0.5 to 1.5 (Steffen, Kirby & Berzins 2008; MPM course of SIGGRAPH 2016, eq. 123).
+/// The quadratic B-spline weights of the three nodes along each axis, where `fx` is the distance from the first of them
+/// in cells, from 0.5 to 1.5 (Steffen, Kirby & Berzins 2008; MPM course of SIGGRAPH 2016, eq. 123).
 #[inline(always)]
 pub fn quadratic_weights<V>(fx: V) -> [V; 3]
 where

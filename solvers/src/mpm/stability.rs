@@ -6,9 +6,9 @@ use crate::scene::{Particles, Scene};
 /// The largest stable time step of a scene whose fastest particle has the given speed: `dx / (c sqrt(d) + v)`, where
 /// `c = sqrt(E / density)` is the speed of sound in `d` dimensions.
 ///
-/// A lone particle changes its volume as an oscillator of the angular frequency `w = 2 c sqrt(d) / dx` (the pressure turns into
-/// velocity gradient by `4 c^2 / dx^2`, and that into volume `d`-fold), and symplectic Euler is stable for `w dt < 2`; and it
-/// must not leave the nodes around it within a step.
+/// A lone particle changes its volume as an oscillator of the angular frequency `w = 2 c sqrt(d) / dx` (the pressure
+/// turns into velocity gradient by `4 c^2 / dx^2`, and that into volume `d`-fold), and symplectic Euler is stable for
+/// `w dt < 2`; and it must not leave the nodes around it within a step.
 pub fn largest_step(scene: &Scene, speed: f64) -> f64 {
     let sound = (scene.stiffness / scene.density).sqrt();
     scene.dx() / (sound * (scene.dimensions as f64).sqrt() + speed)
@@ -24,7 +24,8 @@ pub(super) fn check(scene: &Scene, particles: &Particles) -> Result<(), SceneErr
     }
     let sound = (scene.stiffness / scene.density).sqrt();
     let message = format!(
-        "is unstable: with sound at {sound:.4}, particles at up to {fastest:.4} and cells of {:.6} it must be at most {bound:.3e}",
+        "is unstable: with sound at {sound:.4}, particles at up to {fastest:.4} and cells of {:.6} it must be at most \
+         {bound:.3e}",
         scene.dx()
     );
     Err(scene.fault(format!("dt = {:e}", scene.dt), message))

@@ -196,7 +196,8 @@ fn unit(random: &mut ChaCha8Rng) -> f64 {
     f64::from(random.next_u32() >> 8) * 2f64.powi(-24)
 }
 
-/// The middles of the cells of a box that is cut into whole cells of about the given spacing; the last axis runs fastest.
+/// The middles of the cells of a box that is cut into whole cells of about the given spacing; the last axis runs
+/// fastest.
 fn lattice(from: [f64; 3], to: [f64; 3], spacing: f64, dimensions: usize) -> Vec<[f64; 3]> {
     let side = |axis: usize| if axis < dimensions { to[axis] - from[axis] } else { 0.0 };
     let count: [usize; 3] = std::array::from_fn(|axis| ((side(axis) / spacing).round() as usize).max(1));

@@ -16,7 +16,10 @@ use keys::Keys;
 const VERSION: i64 = 1;
 
 /// More particles than this are refused, before memory is asked for.
-pub(crate) const MOST_PARTICLES: usize = 1 << 27;
+pub(crate) const MOST_PARTICLES: usize = 1 << 25;
+
+/// A grid of more nodes is refused too.
+const MOST_NODES: usize = 1 << 28;
 
 /// A scene, read and checked. Lengths are metres, times seconds; vectors have a third component of zero in 2D.
 #[derive(Clone, Debug)]
@@ -115,8 +118,8 @@ impl Scene {
         let dimensions = dimensions as usize;
         let wall = keys.whole("wall", 3, 64)?.unwrap_or(3) as usize;
         let grid = keys.extents("grid", dimensions, 2 * wall as i64 + 4, 1 << 15)?;
-        if grid.iter().product::<usize>() > 1 << 30 {
-            return Err(keys.fault("grid", "has more than 2^30 nodes"));
+        if grid.iter().product::<usize>() > MOST_NODES {
+            return Err(keys.fault("grid", "has more than 2^28 nodes"));
         }
         let spacing = if keys.has("spacing") { keys.positive("spacing", "0.5")? } else { 0.5 };
         if !(0.05..=1.0).contains(&spacing) {
@@ -174,8 +177,8 @@ impl Scene {
         SceneError::at(&*self.file, key, message)
     }
 
-    /// The same scene on `nodes` nodes along the first axis, and in proportion along the others. The time step is changed in
-    /// proportion to the cell, so that the Courant number stays.
+    /// The same scene on `nodes` nodes along the first axis, and in proportion along the others. The time step is
+    /// changed in proportion to the cell, so that the Courant number stays.
     ///
     /// # Errors
     /// If an axis becomes too short for its walls, or the grid too large.
@@ -186,18 +189,18 @@ impl Scene {
         }
         let [i, j, k] = self.grid;
         if self.grid[..self.dimensions].iter().any(|&extent| !(least..=1 << 15).contains(&extent))
-            || i * j * k > 1 << 30
+            || i * j * k > MOST_NODES
         {
             let message =
-                format!("cannot be; an axis takes from {least} to {} nodes, all together at most 2^30", 1 << 15);
+                format!("cannot be; an axis takes from {least} to {} nodes, all together at most 2^28", 1 << 15);
             return Err(self.fault(format!("grid = {nodes}"), message));
         }
         self.dt *= old as f64 / nodes as f64;
         Ok(self)
     }
 
-    /// The same scene with `count` particles: exactly so many where they are drawn at random, about so many where they lie on a
-    /// lattice, whose spacing is changed.
+    /// The same scene with `count` particles: exactly so many where they are drawn at random, about so many where they
+    /// lie on a lattice, whose spacing is changed.
     ///
     /// # Errors
     /// If the spacing would leave its bounds, or positions are given one by one.

@@ -23,8 +23,8 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// A camera for a simulation that has just begun. Its scale of colours ends at the speed that the fastest particle would
-    /// have after falling all the way.
+    /// A camera for a simulation that has just begun. Its scale of colours ends at the speed that the fastest particle
+    /// would have after falling all the way.
     pub fn new(simulation: &dyn Simulation, scene: &Scene) -> Self {
         let fastest = simulation.velocities().iter().map(length).fold(0.0, f64::max);
         let fall =

@@ -17,7 +17,8 @@ pub(super) fn draw(camera: &Camera, simulation: &dyn Simulation) -> Canvas {
     let deviation = (WIDTH * spacing).max(0.7);
     let reach = (2.5 * deviation).ceil() as i64;
 
-    // Density of splats in each pixel, and their mean tone times it. A particle at rest adds, over a spacing squared, one.
+    // Density of splats in each pixel, and their mean tone times it. A particle at rest adds, over a spacing squared,
+    // one.
     let mut density = vec![0f32; columns * rows];
     let mut toned = vec![0f32; columns * rows];
     let unit = spacing * spacing / (2.0 * std::f64::consts::PI * deviation * deviation);
