@@ -3,11 +3,15 @@
 //! `ratios` compares them in interleaved pairs, which is what counts on a machine that others use too; this one keeps a
 //! history of each kernel, so that a change that slows one down is seen.
 
+#[allow(dead_code, unreachable_pub, reason = "two benches share it, and each uses a part")]
 mod twins;
+#[allow(dead_code, unreachable_pub, reason = "two benches share it, and each uses a part")]
 mod workloads;
 
+use std::hint::black_box;
+
 use allotrope::prelude::*;
-use criterion::{Criterion, Throughput, black_box, criterion_group, criterion_main};
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use twins::transfer::{Interleaved, NodeRecords};
 use twins::{Aligned, stencils as hand_stencils, streams as hand_streams, transfer as hand};
 use workloads::stencils::ramp;

@@ -5,7 +5,9 @@
 //! `PAIRS` the pairs a round (13).
 //! Before a pair is timed, both results are compared.
 
+#[allow(dead_code, unreachable_pub, reason = "two benches share it, and each uses a part")]
 mod twins;
+#[allow(dead_code, unreachable_pub, reason = "two benches share it, and each uses a part")]
 mod workloads;
 
 use std::cell::RefCell;

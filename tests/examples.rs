@@ -1,10 +1,10 @@
 //! What the examples compute. They are included as they stand, so that what is checked is what users read.
 
-#[allow(dead_code, reason = "its `main` is for users")]
+#[allow(dead_code, unreachable_pub, reason = "its `main` is for users")]
 #[path = "../examples/julia.rs"]
 mod julia;
 
-#[allow(dead_code, reason = "its `main` and the picture are for users")]
+#[allow(dead_code, unreachable_pub, reason = "its `main` and the picture are for users")]
 #[path = "../examples/mpm88.rs"]
 mod mpm88;
 

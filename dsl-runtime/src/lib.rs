@@ -170,10 +170,10 @@ mod schedule;
 mod serial;
 mod view;
 
-pub mod prelude;
 #[doc(hidden)]
 #[path = "private.rs"]
 pub mod __private;
+pub mod prelude;
 
 pub use allotrope_macros::{Record, kernel, layout};
 pub use axes::{Axes, I, Ij, Ijk, Shape};

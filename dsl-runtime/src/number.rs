@@ -52,7 +52,7 @@ macro_rules! update {
     ($scalar:ty, $atomic:ident, |$value:ident| $to:expr, |$bits:ident| $from:expr) => {
         #[inline(always)]
         unsafe fn update(at: *mut Self, change: impl Fn(Self) -> Self) {
-            use core::sync::atomic::{$atomic, Ordering::Relaxed};
+            use core::sync::atomic::{Ordering::Relaxed, $atomic};
             // SAFETY: as the caller promises; the scalar and the atomic have the same size.
             let cell = unsafe { $atomic::from_ptr(at.cast()) };
             let mut old = cell.load(Relaxed);
@@ -263,13 +263,14 @@ mod tests {
         let mut cell = 0f32;
         let at = Address(&raw mut cell);
         std::thread::scope(|s| {
-            for _ in 0..2 {
-                s.spawn(|| {
-                    for _ in 0..1000 {
-                        // SAFETY: aligned, and only updated atomically until the threads are joined.
-                        unsafe { f32::update(at.get(), |x| x + 1.0) }
-                    }
-                });
+            let work = || {
+                for _ in 0..1000 {
+                    // SAFETY: aligned, and only updated atomically until the threads are joined.
+                    unsafe { f32::update(at.get(), |x| x + 1.0) }
+                }
+            };
+            for thread in [s.spawn(work), s.spawn(work)] {
+                thread.join().expect("no panic");
             }
         });
         assert_eq!(cell, 2000.0);

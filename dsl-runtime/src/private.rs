@@ -1,15 +1,18 @@
 //! What the macros' expansions call. Nothing here is for users: it changes with the macros, whose version is locked.
 
 pub use crate::launch::{
-    Cell, Options, Outs, Partial, Reduction, Run, Space, Strip, Task, interior, launch, launch_own, over, range, reduction,
+    Cell, Options, Outs, Partial, Reduction, Run, Space, Strip, Task, interior, launch, launch_own, over, range,
+    reduction,
 };
 pub use crate::number::{BitAnd, BitOr, BitXor, ComponentMul, Max, Min, Product, Sum};
 pub use crate::record::{At, ElementList, MemberMuts, MemberRefs, MemberSpec, Path, Tag, Whole};
 pub use crate::scatter::{Op, Scattered, Target};
-pub use crate::view::{Accumulate, Based, Buffer, Free, Held, Own, OwnFree, Read, Row, Site, Var, View, buffer, exclusive, shared};
+pub use crate::view::{
+    Accumulate, Based, Buffer, Free, Held, Own, OwnFree, Read, Row, Site, Var, View, buffer, exclusive, shared,
+};
 
 pub use crate::capture::{Hold, Lend, Wrap, assert_shared};
 pub use crate::serial::{
-    NotAnAccess, byte_offset, cold, index_tuples, indices, interior_indices, interior_tuples, locate, max, min, ndrange,
-    read, read_at, tags, write, write_at,
+    NotAnAccess, byte_offset, cold, index_tuples, indices, interior_indices, interior_tuples, locate, max, min,
+    ndrange, read, read_at, tags, write, write_at,
 };

@@ -5,7 +5,7 @@ use core::ops::Range;
 use crate::axes::{Axes, MAX_AXES};
 use crate::element::Element;
 use crate::field::Field;
-use crate::index::{IntoIndex, Integer};
+use crate::index::{Integer, IntoIndex};
 use crate::layout::{Layout, Map};
 use crate::number::{Number, zip};
 use crate::record::{Path, Record};
@@ -125,8 +125,9 @@ fn walk<L: Layout<X>, X: Axes>(shape: [u32; MAX_AXES], border: u32) -> impl Iter
     let mut axes: Vec<usize> = (0..X::RANK).filter(|a| !named[..count].contains(a)).collect();
     axes.extend_from_slice(&named[..count]);
     let first = |a: usize| border.min(shape[a]);
-    let bounds: [(u32, u32); MAX_AXES] =
-        core::array::from_fn(|a| if a < X::RANK { (first(a), shape[a].saturating_sub(border).max(first(a))) } else { (0, 1) });
+    let bounds: [(u32, u32); MAX_AXES] = core::array::from_fn(|a| {
+        if a < X::RANK { (first(a), shape[a].saturating_sub(border).max(first(a))) } else { (0, 1) }
+    });
     let mut left: usize = bounds[..X::RANK].iter().map(|&(first, end)| (end - first) as usize).product();
     let mut next = bounds.map(|(first, _)| first);
     core::iter::from_fn(move || {
@@ -144,7 +145,9 @@ fn walk<L: Layout<X>, X: Axes>(shape: [u32; MAX_AXES], border: u32) -> impl Iter
 }
 
 /// The indices of a field, which need not be borrowed meanwhile.
-pub fn indices<R: Record, L: Layout<X>, X: Axes>(field: &Field<R, L, X>) -> impl Iterator<Item = X::Index> + use<R, L, X> {
+pub fn indices<R: Record, L: Layout<X>, X: Axes>(
+    field: &Field<R, L, X>,
+) -> impl Iterator<Item = X::Index> + use<R, L, X> {
     walk::<L, X>(field.handle().geometry.shape, 0).map(X::index)
 }
 

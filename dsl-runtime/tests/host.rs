@@ -211,7 +211,7 @@ fn a_layout_that_cannot_hold_the_shape_is_refused_by_relayout() {
 
 #[test]
 fn reorder_sorts_whole_records_stably() {
-    fn check<L: Layout<I>>(key: impl Fn(u32) -> u64) {
+    fn check<L: Layout<I>>(key: impl Fn(u32) -> u64 + Sync) {
         let mut points = Field::<Point, L>::try_new([40]).expect("a field");
         for n in 0..40 {
             points.set(n, Point::numbered(n));

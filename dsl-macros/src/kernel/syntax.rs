@@ -1,5 +1,6 @@
 //! Small questions about Rust's syntax.
 
+use syn::visit::Visit;
 use syn::{BinOp, Block, Expr, Ident, Lit, Pat, Type, UnOp};
 
 use super::model::Op;
@@ -116,6 +117,20 @@ pub(crate) fn names(pat: &Pat, each: &mut dyn FnMut(&Ident, bool)) {
         Pat::Type(typed) => names(&typed.pat, each),
         _ => {}
     }
+}
+
+/// The macros in a pattern, which may bind any name.
+pub(crate) fn pattern_macros(pat: &Pat) -> Vec<syn::Macro> {
+    #[derive(Default)]
+    struct Macros(Vec<syn::Macro>);
+    impl Visit<'_> for Macros {
+        fn visit_macro(&mut self, call: &syn::Macro) {
+            self.0.push(call.clone());
+        }
+    }
+    let mut macros = Macros::default();
+    macros.visit_pat(pat);
+    macros.0
 }
 
 /// The last segment of a type's path.

@@ -44,7 +44,9 @@ impl Memory {
     /// So many zeroed bytes; ends the program where the system refuses them.
     pub(crate) fn zeroed_or_abort(bytes: usize) -> Self {
         Self::zeroed(bytes).unwrap_or_else(|| {
-            handle_alloc_error(Layout::from_size_align(bytes.min(isize::MAX as usize - LINE), 1).expect("a small alignment"))
+            handle_alloc_error(
+                Layout::from_size_align(bytes.min(isize::MAX as usize - LINE), 1).expect("a small alignment"),
+            )
         })
     }
 

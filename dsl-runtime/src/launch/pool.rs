@@ -1,15 +1,19 @@
 //! Threads: jobs are numbers, which the calling thread and a pool's workers take in turn.
 
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+#[cfg(not(allotrope_joined_threads))]
 use std::sync::OnceLock;
 
+#[cfg(not(allotrope_joined_threads))]
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::schedule::{Inside, MAX_THREADS, Schedule, inherit};
+use crate::schedule::{Inside, Schedule, inherit};
 
 /// One pool for each number of helping threads, made when it is first used.
-static POOLS: [OnceLock<ThreadPool>; MAX_THREADS] = [const { OnceLock::new() }; MAX_THREADS];
+#[cfg(not(allotrope_joined_threads))]
+static POOLS: [OnceLock<ThreadPool>; crate::MAX_THREADS] = [const { OnceLock::new() }; crate::MAX_THREADS];
 
+#[cfg(not(allotrope_joined_threads))]
 fn pool(helpers: usize) -> &'static ThreadPool {
     POOLS[helpers].get_or_init(|| {
         ThreadPoolBuilder::new()
@@ -61,6 +65,12 @@ pub(super) fn run(threads: usize, jobs: usize, job: &(dyn Fn(usize) + Sync)) {
         queue.work();
         return;
     }
+    help(helpers, &queue);
+}
+
+/// Works on the queue with so many threads of a pool, and returns when all have stopped.
+#[cfg(not(allotrope_joined_threads))]
+fn help(helpers: usize, queue: &Queue<'_>) {
     let schedule = Schedule::current();
     pool(helpers).in_place_scope(|scope| {
         for _ in 0..helpers {
@@ -68,4 +78,20 @@ pub(super) fn run(threads: usize, jobs: usize, job: &(dyn Fn(usize) + Sync)) {
         }
         queue.work();
     });
+}
+
+/// The same with threads of the launch's own, which are joined. This is for the thread sanitizer: it sees what a join orders, but not
+/// how a pool's threads sleep and wake, as the standard library is not instrumented.
+#[cfg(allotrope_joined_threads)]
+fn help(helpers: usize, queue: &Queue<'_>) {
+    use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+    let schedule = Schedule::current();
+    let results: Vec<std::thread::Result<()>> = std::thread::scope(|scope| {
+        let threads: Vec<_> = (0..helpers).map(|_| scope.spawn(|| inherit(schedule, || queue.work()))).collect();
+        let own = catch_unwind(AssertUnwindSafe(|| queue.work()));
+        std::iter::once(own).chain(threads.into_iter().map(|thread| thread.join())).collect()
+    });
+    if let Some(panic) = results.into_iter().find_map(Result::err) {
+        resume_unwind(panic);
+    }
 }

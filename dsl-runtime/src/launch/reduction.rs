@@ -3,8 +3,8 @@
 use core::marker::PhantomData;
 use core::mem::MaybeUninit;
 
-use super::{Run, Space};
 use super::run::Cell;
+use super::{Run, Space};
 use crate::element::Element;
 use crate::number::{Number, Operator, Sum, identity, zip};
 use crate::view::negative;

@@ -393,7 +393,8 @@ pub fn range<T: RangeTuple>(ranges: T) -> Ranges<T::Integers, <T::Integers as In
     for axis in 0..MAX_AXES {
         end[axis] = end[axis].max(first[axis]);
         let extent = end[axis].checked_sub(first[axis]);
-        elements = extent.and_then(|n| elements.checked_mul(n)).expect("a loop's ranges count at most i64::MAX elements");
+        elements =
+            extent.and_then(|n| elements.checked_mul(n)).expect("a loop's ranges count at most i64::MAX elements");
     }
     Ranges { first, end, types: PhantomData }
 }

@@ -62,11 +62,8 @@ where
     } else {
         N::RUN_AXIS
     };
-    const RUN: usize = if N::LEAF == 0 {
-        sizes::<X>(ORDER, [A, B, C, D])[<Self as Inner<X>>::RUN_AXIS]
-    } else {
-        N::RUN
-    };
+    const RUN: usize =
+        if N::LEAF == 0 { sizes::<X>(ORDER, [A, B, C, D])[<Self as Inner<X>>::RUN_AXIS] } else { N::RUN };
     const ROWS: usize = <Self as Inner<X>>::CELLS / <Self as Inner<X>>::RUN;
     const DIGITS: &'static [Digit] = &{
         // One list for the whole chain; longer ones are cut off, which only costs the short cut for equal layouts.

@@ -119,11 +119,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     pub(crate) fn component(geometry: &Geometry, m: usize) -> usize {
         if Self::FLAT {
             let seat = Self::STREAMS.seats[m];
-            if seat.split {
-                round_up(geometry.cells * Self::STRIDES[m], LINE)
-            } else {
-                seat.scalar
-            }
+            if seat.split { round_up(geometry.cells * Self::STRIDES[m], LINE) } else { seat.scalar }
         } else {
             Self::COMPONENTS[m]
         }

@@ -9,13 +9,13 @@ pub(crate) mod place;
 pub use dense::Dense;
 pub(crate) use geometry::Geometry;
 pub(crate) use map::Map;
-pub use node::{ALL, LAST};
 pub(crate) use node::order;
+pub use node::{ALL, LAST};
 #[doc(hidden)]
 pub use node::{Digit, Inner};
-pub use place::{PlaceAos, PlaceGroups, PlaceSoa, PlaceSplit};
 #[doc(hidden)]
 pub use place::{Entry, Named, Place, Spec, Taken};
+pub use place::{PlaceAos, PlaceGroups, PlaceSoa, PlaceSplit};
 
 use crate::axes::{Axes, PerAxis};
 use crate::element::Sealed;

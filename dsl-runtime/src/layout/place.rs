@@ -329,11 +329,8 @@ impl Streams {
 mod tests {
     use super::*;
 
-    const MEMBERS: [MemberSpec; 3] = [
-        MemberSpec::of::<glam::Vec2>(),
-        MemberSpec::of::<bool>(),
-        MemberSpec::of::<f64>(),
-    ];
+    const MEMBERS: [MemberSpec; 3] =
+        [MemberSpec::of::<glam::Vec2>(), MemberSpec::of::<bool>(), MemberSpec::of::<f64>()];
 
     #[test]
     fn interleaved_records_round_up_to_the_widest_scalar() {

@@ -33,13 +33,7 @@ pub(crate) struct Plan {
 ///
 /// # Panics
 /// Where `Atomic` is asked for under `deterministic`.
-pub(crate) fn plan(
-    options: &Options<'_>,
-    schedule: &Schedule,
-    threads: usize,
-    elements: usize,
-    blocks: usize,
-) -> Plan {
+pub(crate) fn plan(options: &Options<'_>, schedule: &Schedule, threads: usize, elements: usize, blocks: usize) -> Plan {
     let serial = Plan { threads: 1, jobs: 1, atomic: false };
     if options.targets.is_empty() {
         return Plan { threads: threads.min(blocks), ..serial };

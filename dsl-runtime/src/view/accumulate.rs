@@ -97,12 +97,8 @@ where
 
     #[cold]
     #[inline(never)]
-    fn apply_atomically<O: Operator<<P::Value as Element>::Scalar>>(
-        &self,
-        start: *mut u8,
-        step: usize,
-        value: P::Value,
-    ) where
+    fn apply_atomically<O: Operator<<P::Value as Element>::Scalar>>(&self, start: *mut u8, step: usize, value: P::Value)
+    where
         <P::Value as Element>::Scalar: Number,
     {
         assert!(start.addr().is_multiple_of(size_of::<<P::Value as Element>::Scalar>()));

@@ -46,7 +46,13 @@ impl<X: Axes> Based<X> {
         };
         fits.then(
             #[inline(always)]
-            || Self { base: [base[0] as u32, base[1] as u32, base[2] as u32, base[3] as u32], low: narrow(low), high: narrow(high), shape, axes: PhantomData },
+            || Self {
+                base: [base[0] as u32, base[1] as u32, base[2] as u32, base[3] as u32],
+                low: narrow(low),
+                high: narrow(high),
+                shape,
+                axes: PhantomData,
+            },
         )
     }
 

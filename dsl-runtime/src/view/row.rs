@@ -81,7 +81,11 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
 
     #[inline(always)]
     fn component(&self) -> usize {
-        if Self::COMPONENT == 0 { Map::<R, L, X>::component(&self.handle.geometry, Self::MEMBER) } else { Self::COMPONENT }
+        if Self::COMPONENT == 0 {
+            Map::<R, L, X>::component(&self.handle.geometry, Self::MEMBER)
+        } else {
+            Self::COMPONENT
+        }
     }
 
     #[inline(always)]
@@ -358,8 +362,7 @@ impl<R: Record, L, X, P: Path<R>, S> core::fmt::Debug for Held<'_, '_, R, L, X, 
 
 impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b, R, L, X, P, S> {
     /// Whether whole runs are held back.
-    const HOLDS: bool =
-        S::RUN > 0 && S::RUN <= HELD && matches!(Line::<'static, R, L, X, P, S>::KIND, Kind::Blocks);
+    const HOLDS: bool = S::RUN > 0 && S::RUN <= HELD && matches!(Line::<'static, R, L, X, P, S>::KIND, Kind::Blocks);
     /// Whether a run's values lie one after another, as they do in an array.
     const DENSE: bool = {
         let member = Line::<'static, R, L, X, P, S>::MEMBER;

@@ -10,7 +10,7 @@ impl ClosedMesh {
     /// times the spacing cubed approaches the volume; nothing is normalised.
     ///
     /// A ray that hits an edge or a vertex is counted as if it passed beside it, always on the same side: see
-    /// [`crosses`].
+    /// `crosses`.
     pub fn fill(&self, spacing: f64) -> Vec<[f64; 3]> {
         let (low, high) = self.bounds();
         let counts: [usize; 3] =

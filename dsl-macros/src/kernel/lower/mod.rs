@@ -21,7 +21,7 @@ use self::jumps::Target;
 use self::scope::{Kind, Scopes};
 use super::model::{Finding, Kernel, Node, Spot, What, placeholder};
 use super::parse;
-use super::syntax::{compound, is_tail, name_of, names};
+use super::syntax::{compound, is_tail, name_of, names, pattern_macros};
 
 /// What surrounds the present place.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -146,6 +146,9 @@ impl Lower {
             }
             self.kernel.bound.push(name.clone());
         });
+        for call in pattern_macros(pat) {
+            self.opaque_macro(&call, false);
+        }
     }
 
     /// Visits an expression whose value is not used.

@@ -37,7 +37,15 @@ fn fields_and_reductions_are_not_bound_again() {
 
 #[test]
 fn unknown_macros_get_no_names() {
-    for call in ["skip!(a, 0);", "put! { p }", "let x = f(by!([a]));", "my!(\"{a}\");", "s += 1.0; show!(s);"] {
+    for call in [
+        "skip!(a, 0);",
+        "put! { p }",
+        "let x = f(by!([a]));",
+        "my!(\"{a}\");",
+        "s += 1.0; show!(s);",
+        "let bind!(a) = 1;",
+        "f(|by!(a)| 1);",
+    ] {
         body(&format!("for a in p {{ {call} }}"), &["A0121"]);
     }
     body("for a in p { macro_rules! m { () => { p[0] = 1.0 } } }", &["A0122"]);
