@@ -1,20 +1,23 @@
 //! `allotrope bench`: one scene in many layouts, interleaved, so that a change of the machine's speed meets all of them
 //! alike.
 
+mod report;
+mod text;
+
 use std::path::Path;
 use std::time::{Duration, Instant};
 
 use allotrope::Schedule;
 use allotrope_solvers::{Scene, Simulation, SolverInfo};
 use indicatif::{ProgressBar, ProgressStyle};
-use serde::ser::SerializeMap;
-use serde::{Deserialize, Serialize, Serializer};
 
 use super::errors::LabError;
 use super::machine::{self, NamedSchedule};
 use super::output;
 use super::statistics::{median, spread};
-use super::table::Table;
+use report::six_digits;
+pub use report::{Kernels, Report, Row};
+use text::{About, text};
 
 /// Repetitions, if there are steps enough.
 const REPETITIONS: u64 = 11;
@@ -39,65 +42,6 @@ pub struct Plan {
     pub threads: Option<usize>,
     /// Timed steps of each row, if so many are asked for.
     pub steps: Option<u64>,
-}
-
-/// What `--json` writes.
-#[derive(Debug, Deserialize, Serialize)]
-pub struct Report {
-    /// The solver.
-    pub solver: String,
-    /// The scene.
-    pub scene: String,
-    /// Number of particles.
-    pub particles: usize,
-    /// Nodes along each axis.
-    pub grid: Vec<usize>,
-    /// Threads of loops.
-    pub threads: usize,
-    /// Instruction set of loops.
-    pub isa: String,
-    /// A row for each layout and schedule.
-    pub rows: Vec<Row>,
-}
-
-/// The result of one layout with one schedule.
-#[derive(Debug, Deserialize, Serialize)]
-pub struct Row {
-    /// The layout.
-    pub layout: String,
-    /// The schedule.
-    pub schedule: String,
-    /// Median time a step.
-    pub ms_per_step: f64,
-    /// Interquartile range of the time a step over its median.
-    pub spread: f64,
-    /// Median time a step in each kernel.
-    pub kernels: Kernels,
-    /// Bytes of all fields.
-    pub bytes: usize,
-    /// Largest difference of a position from the first row's after the run, in metres along an axis.
-    pub state_error: f64,
-}
-
-/// Times by the name of the kernel, in the order of a step.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(from = "std::collections::BTreeMap<String, f64>")]
-pub struct Kernels(pub Vec<(String, f64)>);
-
-impl From<std::collections::BTreeMap<String, f64>> for Kernels {
-    fn from(times: std::collections::BTreeMap<String, f64>) -> Self {
-        Self(times.into_iter().collect())
-    }
-}
-
-impl Serialize for Kernels {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(self.0.len()))?;
-        for (name, time) in &self.0 {
-            map.serialize_entry(name, time)?;
-        }
-        map.end()
-    }
 }
 
 /// A layout with a schedule, while it runs.
@@ -152,15 +96,6 @@ pub fn bench(plan: &Plan, json: Option<&Path>) -> Result<(), LabError> {
         }
         None => Ok(()),
     }
-}
-
-/// What the table tells beside the report.
-struct About {
-    verified: u64,
-    agreement: f64,
-    repetitions: u64,
-    steps: u64,
-    time: f64,
 }
 
 fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
@@ -294,70 +229,6 @@ fn difference(a: &[[f64; 3]], b: &[[f64; 3]]) -> (f64, usize) {
     largest
 }
 
-/// Rounded to six digits: more are noise, and make the line unreadable.
-fn six_digits(value: f64) -> f64 {
-    format!("{value:.5e}").parse().unwrap_or(value)
-}
-
-/// The report as people read it.
-fn text(report: &Report, about: &About) -> String {
-    let grid: Vec<String> = report.grid.iter().map(usize::to_string).collect();
-    let mut text = format!(
-        "{} {}: {} particles, {} nodes\n{}, {} threads, {}\n",
-        report.solver,
-        report.scene,
-        report.particles,
-        grid.join(" x "),
-        machine::processor(),
-        report.threads,
-        report.isa
-    );
-    if report.rows.len() > 1 {
-        text += &format!(
-            "all {} end in the same state: after {} steps positions differ by at most {}\n",
-            report.rows.len(),
-            about.verified,
-            error_digits(about.agreement)
-        );
-    }
-    text += &format!(
-        "{} steps each, in {} interleaved repetitions, to {:.4} s\n\n",
-        about.steps, about.repetitions, about.time
-    );
-
-    let kernels: Vec<&str> = report.rows[0].kernels.0.iter().map(|(name, _)| name.as_str()).collect();
-    let mut headline = vec!["layout", "schedule", "ms/step", "spread"];
-    headline.extend(&kernels);
-    headline.extend(["ns/particle", "MiB", "state error", "ratio"]);
-    let best = report.rows.iter().map(|row| row.ms_per_step).fold(f64::INFINITY, f64::min);
-    let mut table = Table::new(headline, 2);
-    for row in &report.rows {
-        let total: f64 = row.kernels.0.iter().map(|(_, time)| time).sum();
-        let mut cells = vec![
-            row.layout.clone(),
-            row.schedule.clone(),
-            four_digits(row.ms_per_step),
-            format!("{:.1} %", 100.0 * row.spread),
-        ];
-        cells.extend(row.kernels.0.iter().map(|(_, time)| format!("{:.0} %", 100.0 * time / total)));
-        cells.push(format!("{:.1}", row.ms_per_step * 1e6 / report.particles as f64));
-        cells.push(format!("{:.2}", row.bytes as f64 / f64::from(1 << 20)));
-        cells.push(error_digits(row.state_error));
-        cells.push(format!("{:.2}", row.ms_per_step / best));
-        table.row(cells);
-    }
-    text + &table.text()
-}
-
-fn error_digits(value: f64) -> String {
-    if value == 0.0 { "0".into() } else { format!("{value:.1e}") }
-}
-
-fn four_digits(value: f64) -> String {
-    let digits = (3 - value.abs().max(1e-9).log10().floor() as i32).clamp(0, 6);
-    format!("{value:.*}", digits as usize)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -368,14 +239,6 @@ mod tests {
         assert_eq!(difference(&a, &[[0.0; 3], [1.0, 2.5, 3.0]]), (0.5, 1));
         assert_eq!(difference(&a, &a).0, 0.0);
         assert!(difference(&a, &[[f64::NAN, 0.0, 0.0], [9.0; 3]]).0.is_nan());
-    }
-
-    #[test]
-    fn numbers_are_rounded() {
-        assert_eq!(six_digits(0.123_456_789), 0.123457);
-        assert_eq!(four_digits(0.312_345), "0.3123");
-        assert_eq!(four_digits(41.238), "41.24");
-        assert_eq!(four_digits(0.0), "0.000000");
     }
 
     #[test]
@@ -395,11 +258,5 @@ mod tests {
         assert_eq!(pieces(10.0, None, 0), [1; 11]);
         assert_eq!(pieces(1e-6, None, 0), [100; 11]);
         assert_eq!(pieces(1e-6, None, 32).iter().sum::<u64>(), 34 * 32);
-    }
-
-    #[test]
-    fn the_report_is_one_line_with_kernels_in_order() {
-        let kernels = Kernels(vec![("scatter".into(), 0.12), ("grid".into(), 0.03), ("gather".into(), 0.15)]);
-        assert_eq!(serde_json::to_string(&kernels).unwrap(), r#"{"scatter":0.12,"grid":0.03,"gather":0.15}"#);
     }
 }
