@@ -78,6 +78,11 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
 
     const STRIDE: usize = Map::<R, L, X>::stride(Self::MEMBER);
     const COMPONENT: usize = Map::<R, L, X>::constant_component(Self::MEMBER);
+    /// Whether other members lie between the values of neighbours, in rows of any length.
+    const INTERLEAVED: bool = {
+        let (seat, spec) = (Map::<R, L, X>::STREAMS.seats[Self::MEMBER], R::Elements::MEMBERS[Self::MEMBER]);
+        matches!(Self::KIND, Kind::Even) && S::RUN == 0 && !seat.split && Self::STRIDE != spec.components * spec.scalar
+    };
 
     #[inline(always)]
     fn component(&self) -> usize {
@@ -210,6 +215,9 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
             // SAFETY: `checked` returns places within the shape; the caller has the element.
             return unsafe { self.handle.write::<P>(at, value) };
         }
+        if Self::INTERLEAVED {
+            stay_scalar();
+        }
         // SAFETY: as in `get`.
         let (address, component) = (unsafe { self.address(cell) }, self.component());
         // SAFETY: as in `get`; the caller has the element.
@@ -220,6 +228,17 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
                 |_| (address, component),
             )
         }
+    }
+}
+
+/// Keeps the compiler from making a vector loop around a store that it would have to scatter: with AVX-512 it does, at
+/// several times the cost of scalar stores.
+#[inline(always)]
+fn stay_scalar() {
+    #[cfg(target_arch = "x86_64")]
+    // SAFETY: no instruction at all.
+    unsafe {
+        core::arch::asm!("", options(nomem, nostack, preserves_flags));
     }
 }
 
