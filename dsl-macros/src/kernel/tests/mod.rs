@@ -6,6 +6,7 @@ use super::{check, lower, parse};
 use crate::diagnostics::Diagnostics;
 
 mod accepted;
+mod conflicts;
 mod expansions;
 mod heads;
 mod names;
