@@ -3,7 +3,7 @@
 //! `cargo bench --bench ratios [-- FILTER]` prints, for each pair, the median times, and the median of the paired ratios with its
 //! 95 % bootstrap interval. `ALLOTROPE_CPU` chooses the instruction set, `ROUNDS` how often all is allocated anew (5 unless told),
 //! `PAIRS` the pairs a round (13).
-//! Before a pair is timed, both results are compared.
+//! In every round both results are compared.
 
 #[allow(dead_code, unreachable_pub, reason = "two benches share it, and each uses a part")]
 mod twins;

@@ -235,7 +235,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
 /// several times the cost of scalar stores.
 #[inline(always)]
 fn stay_scalar() {
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", not(miri)))]
     // SAFETY: no instruction at all.
     unsafe {
         core::arch::asm!("", options(nomem, nostack, preserves_flags));
