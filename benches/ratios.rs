@@ -120,7 +120,7 @@ fn same(name: &str, ours: &[f32], theirs: &[f32], tolerance: f32) {
 }
 
 fn stream_pairs(pairs: &Pairs) {
-    for (size, label) in [(1 << 24, "2^24"), (1 << 14, "2^14")] {
+    for (size, label) in [(1 << 24, "2^24"), (1 << 20, "2^20"), (1 << 17, "2^17"), (1 << 14, "2^14")] {
         let input = Aligned::new(&ramp(size));
         let mut x = Field::<f32, Aos>::new([size]);
         x.copy_from_slice(&input);
@@ -154,7 +154,31 @@ fn stream_pairs(pairs: &Pairs) {
     }
 }
 
+/// Rows out of the caches and in them.
+fn jacobi_row_pairs(pairs: &Pairs) {
+    for n in [2048, 1024, 256] {
+        let name = format!("Jacobi {n}^2, row-major");
+        if !pairs.wants(&name) {
+            continue;
+        }
+        let input = Aligned::new(&ramp(n * n));
+        let mut rows = Field::<f32, Aos>::new([n, n]);
+        rows.copy_from_slice(&input);
+        let mut v = Field::<f32, Aos>::new([n, n]);
+        let mut hand = Aligned::new(&vec![0.0; n * n]);
+        stencils::jacobi(0.25, &rows, &mut v);
+        hand_stencils::jacobi_rows(pairs.cpu, n, 0.25, &input, &mut hand);
+        same(&name, &v.to_vec(), &hand, 0.0);
+        pairs.run(
+            &name,
+            || stencils::jacobi(black_box(0.25), &rows, &mut v),
+            || hand_stencils::jacobi_rows(pairs.cpu, n, black_box(0.25), &input, &mut hand),
+        );
+    }
+}
+
 fn jacobi_pairs(pairs: &Pairs) {
+    jacobi_row_pairs(pairs);
     let n = 2048;
     let input = Aligned::new(&ramp(n * n));
     let mut rows = Field::<f32, Aos>::new([n, n]);
@@ -162,18 +186,6 @@ fn jacobi_pairs(pairs: &Pairs) {
     let mut right = vec![0.0; n * n];
     hand_stencils::jacobi_rows(pairs.cpu, n, 0.25, &input, &mut right);
 
-    let name = "Jacobi 2048^2, row-major";
-    if pairs.wants(name) {
-        let mut v = Field::<f32, Aos>::new([n, n]);
-        stencils::jacobi(0.25, &rows, &mut v);
-        same(name, &v.to_vec(), &right, 0.0);
-        let mut hand = Aligned::new(&vec![0.0; n * n]);
-        pairs.run(
-            name,
-            || stencils::jacobi(black_box(0.25), &rows, &mut v),
-            || hand_stencils::jacobi_rows(pairs.cpu, n, black_box(0.25), &input, &mut hand),
-        );
-    }
     let name = "Jacobi 2048^2, SoA of 4";
     if pairs.wants(name) {
         let mut u = Field::<Four, Soa, Ij>::from_shape(n);
@@ -234,7 +246,13 @@ fn blocked_pair<const B: usize>(pairs: &Pairs, n: usize, rows: &Field<f32, Aos, 
 }
 
 fn laplacian_pairs(pairs: &Pairs) {
-    let (n, name) = (192, "7-point Laplacian 192^3, row-major");
+    for n in [192, 96, 48] {
+        laplacian_pair(pairs, n);
+    }
+}
+
+fn laplacian_pair(pairs: &Pairs, n: usize) {
+    let name = &*format!("7-point Laplacian {n}^3, row-major");
     if !pairs.wants(name) {
         return;
     }
