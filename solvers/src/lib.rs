@@ -13,14 +13,18 @@
 
 #![forbid(unsafe_code)]
 
+mod gate;
 pub mod mesh;
 pub mod mpm;
 mod nearest;
 mod registry;
 pub mod scene;
 mod simulation;
+mod state;
 
+pub use gate::{Finding, Watch};
 pub use nearest::nearest;
 pub use registry::{Built, LayoutInfo, SceneInfo, SolverInfo, solver, solvers};
 pub use scene::{Scene, SceneError};
 pub use simulation::{Simulation, StepError, Totals};
+pub use state::{Array, Energy, State, Values};

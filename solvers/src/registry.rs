@@ -2,7 +2,7 @@
 
 use crate::nearest::hint;
 use crate::scene::Folder;
-use crate::{Scene, SceneError, Simulation, mpm};
+use crate::{Scene, SceneError, Simulation, Watch, mpm};
 
 /// A solver: what it offers, and how a simulation is made.
 #[derive(Debug)]
@@ -15,6 +15,8 @@ pub struct SolverInfo {
     pub scenes: &'static [SceneInfo],
     /// The layouts in which it was compiled; the first is the default.
     pub layouts: &'static [LayoutInfo],
+    /// Why a scene makes no sense in one of [`layouts`](Self::layouts), if it does not.
+    pub unfit: fn(&Scene, layout: &str) -> Option<&'static str>,
     /// Makes the simulation of a scene in one of [`layouts`](Self::layouts).
     pub build: fn(&Scene, layout: &str) -> Built,
 }
@@ -31,6 +33,8 @@ pub struct SceneInfo {
     pub about: &'static str,
     /// Its TOML text (`SCENES.md` is the schema).
     pub text: &'static str,
+    /// Its check against published numbers or closed forms, where there is one.
+    pub gate: Option<fn(&Scene) -> Box<dyn Watch>>,
 }
 
 /// A layout, or a combination of layouts, in which a solver was compiled.

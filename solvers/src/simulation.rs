@@ -3,6 +3,8 @@
 use std::fmt;
 use std::time::Duration;
 
+use crate::state::{Array, Energy, State};
+
 /// A simulation in some layout, advanced a step at a time. Schedules are given from outside: `schedule.run(||
 /// simulation.step())`.
 pub trait Simulation: Send {
@@ -62,6 +64,34 @@ pub trait Simulation: Send {
 
     /// Velocities in metres a second, in the same order.
     fn velocities(&self) -> Vec<[f64; 3]>;
+
+    /// What the particles hold, for pictures and files, in the same order: `position` and `velocity` (2 or 3
+    /// components), `pressure` in Pa, `material` (its number in the scene), and whatever else the solver has.
+    fn particle_arrays(&self) -> Vec<Array>;
+
+    /// What the grid holds after the last step, in row-major order, the last axis fastest: `mass` in kg and `velocity`.
+    fn grid_arrays(&self) -> Vec<Array>;
+
+    /// The names of the materials.
+    fn materials(&self) -> Vec<String>;
+
+    /// Of which material each particle is, in the same order.
+    fn material_of(&self) -> Vec<u32>;
+
+    /// Pressure in Pa (the mean of the normal stresses, compression positive), in the same order.
+    fn pressures(&self) -> Vec<f64>;
+
+    /// All that the next step depends on.
+    fn save(&self) -> State;
+
+    /// Goes on from a saved state of the same scene in the same layout.
+    ///
+    /// # Errors
+    /// If an array is missing, or has another length; then nothing is changed.
+    fn restore(&mut self, state: &State) -> Result<(), String>;
+
+    /// Energies of the particles.
+    fn energy(&self) -> Energy;
 
     /// Conserved totals of the particles, summed in `f64`.
     fn totals(&self) -> Totals;

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use super::fluid::{Fluid, Particle};
 use crate::scene::{Particles, Scene, place};
-use crate::{SceneError, Simulation, StepError, Totals};
+use crate::{Array, Energy, SceneError, Simulation, State, StepError, Totals};
 
 const KERNELS: &[&str] = &["scatter", "grid", "gather"];
 const KERNELS_AND_SORT: &[&str] = &["scatter", "grid", "gather", "sort"];
@@ -26,10 +26,19 @@ impl<F: Fluid> Driver<F> {
         Ok(Self { fluid, parameters, scene: scene.clone(), identity, steps: 0 })
     }
 
+    fn particle(&self, place: usize) -> Particle {
+        self.fluid.particle(place, &self.scene.materials)
+    }
+
+    /// The mass of a particle in kg.
+    fn mass(&self, particle: &Particle) -> f64 {
+        self.scene.particle_volume() * self.scene.materials[particle.material as usize].density
+    }
+
     fn in_given_order<T: Clone + Default>(&self, value: impl Fn(Particle) -> T) -> Vec<T> {
         let mut values = vec![T::default(); self.identity.len()];
         for (place, &particle) in self.identity.iter().enumerate() {
-            values[particle as usize] = value(self.fluid.particle(place));
+            values[particle as usize] = value(self.particle(place));
         }
         values
     }
@@ -132,15 +141,77 @@ impl<F: Fluid> Simulation for Driver<F> {
         self.in_given_order(|particle| particle.v)
     }
 
+    fn particle_arrays(&self) -> Vec<Array> {
+        let single = |v: [f64; 3]| v.map(|component| component as f32);
+        let vectors = |name, of: fn(&Particle) -> [f64; 3]| {
+            let values = self.in_given_order(|particle| single(of(&particle)));
+            match self.scene.dimensions {
+                2 => Array::floats(name, values.into_iter().map(|[x, y, _]| [x, y])),
+                _ => Array::floats(name, values),
+            }
+        };
+        vec![
+            vectors("position", |particle| particle.x),
+            vectors("velocity", |particle| particle.v),
+            Array::floats("pressure", self.in_given_order(|particle| [particle.pressure as f32])),
+            Array::whole("material", self.material_of()),
+        ]
+    }
+
+    fn grid_arrays(&self) -> Vec<Array> {
+        self.fluid.nodes()
+    }
+
+    fn materials(&self) -> Vec<String> {
+        self.scene.materials.iter().map(|material| material.name.clone()).collect()
+    }
+
+    fn material_of(&self) -> Vec<u32> {
+        self.in_given_order(|particle| particle.material)
+    }
+
+    fn pressures(&self) -> Vec<f64> {
+        self.in_given_order(|particle| particle.pressure)
+    }
+
+    fn save(&self) -> State {
+        let mut arrays = self.fluid.members();
+        arrays.push(Array::whole("identity", self.identity.clone()));
+        State { steps: self.steps, arrays }
+    }
+
+    fn restore(&mut self, state: &State) -> Result<(), String> {
+        let identity = state.whole("identity", self.identity.len())?;
+        let mut sorted = identity.to_vec();
+        sorted.sort_unstable();
+        if !sorted.iter().copied().eq(0..identity.len() as u32) {
+            return Err("array `identity` does not name each particle once".into());
+        }
+        self.fluid.set_members(state)?;
+        self.identity.copy_from_slice(identity);
+        self.steps = state.steps;
+        Ok(())
+    }
+
+    fn energy(&self) -> Energy {
+        let mut energy = Energy::default();
+        for particle in (0..self.fluid.len()).map(|place| self.particle(place)) {
+            energy.kinetic += 0.5 * self.mass(&particle) * particle.v.iter().map(|v| v * v).sum::<f64>();
+            energy.elastic += self.scene.particle_volume() * particle.elastic;
+        }
+        energy
+    }
+
     /// The affine part of the angular momentum is `m dx^2 / 4` times twice the antisymmetric part of the gradient
     /// (quadratic splines; Jiang et al. 2017, "An angular momentum conserving affine-particle-in-cell method").
     fn totals(&self) -> Totals {
-        let mass = self.scene.particle_volume() * self.scene.density;
-        let inertia = mass * self.scene.dx().powi(2) / 4.0;
-        let mut totals =
-            Totals { mass: mass * self.particles() as f64, momentum: [0.0; 3], angular_momentum: [0.0; 3] };
+        let mut totals = Totals { mass: 0.0, momentum: [0.0; 3], angular_momentum: [0.0; 3] };
         for place in 0..self.fluid.len() {
-            let Particle { x, v, c } = self.fluid.particle(place);
+            let particle = self.particle(place);
+            let Particle { x, v, c, .. } = particle;
+            let mass = self.mass(&particle);
+            let inertia = mass * self.scene.dx().powi(2) / 4.0;
+            totals.mass += mass;
             for axis in 0..3 {
                 let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
                 totals.momentum[axis] += mass * v[axis];

@@ -3,7 +3,8 @@
 use allotrope::Permutation;
 use allotrope::prelude::*;
 
-use crate::scene::Particles;
+use crate::scene::{Material, Particles};
+use crate::{Array, State};
 
 /// The state of a fluid in one pair of layouts, and the parts of a step.
 pub(super) trait Fluid: Send + Sized {
@@ -37,7 +38,19 @@ pub(super) trait Fluid: Send + Sized {
     fn len(&self) -> usize;
 
     /// The particle at a place.
-    fn particle(&self, place: usize) -> Particle;
+    fn particle(&self, place: usize, materials: &[Material]) -> Particle;
+
+    /// The members of the particles, in the order in which they lie in memory.
+    fn members(&self) -> Vec<Array>;
+
+    /// Puts saved members in their places.
+    ///
+    /// # Errors
+    /// If one is missing or of another length; then nothing is changed.
+    fn set_members(&mut self, state: &State) -> Result<(), String>;
+
+    /// Mass and velocity of the nodes.
+    fn nodes(&self) -> Vec<Array>;
 
     /// The mass on the grid.
     fn grid_mass(&self) -> f64;
@@ -53,6 +66,18 @@ pub(super) struct Particle {
     pub(super) v: [f64; 3],
     /// Gradient of the velocity, `c[row][column]`.
     pub(super) c: [[f64; 3]; 3],
+    /// Which of the scene's materials it is of.
+    pub(super) material: u32,
+    /// Pressure in Pa.
+    pub(super) pressure: f64,
+    /// Elastic energy a volume at rest, in J/m^3.
+    pub(super) elastic: f64,
+}
+
+/// Pressure and energy density of a fluid of that volume ratio.
+pub(super) fn of_volume(j: f32, materials: &[Material]) -> (f64, f64) {
+    let (stiffness, compression) = (materials[0].model.wave_modulus(), 1.0 - f64::from(j));
+    (stiffness * compression, 0.5 * stiffness * compression * compression)
 }
 
 /// The key by which particles are sorted: their first node in blocks of 4 nodes an axis, block after block, so that

@@ -3,11 +3,12 @@
 use allotrope::Permutation;
 use allotrope::prelude::*;
 
-use super::fluid::{Fluid, Particle, block_major};
+use super::fluid::{Fluid, Particle, block_major, of_volume};
 use super::kernels_2d::{clear, count_broken, grid_to_particle, particle_to_grid, update_grid};
 use super::parameters::Mpm;
 use super::records::{Node2, Point2};
-use crate::scene::Particles;
+use crate::scene::{Material, Particles};
+use crate::{Array, State};
 
 /// Particles in the layout `P`, grid nodes in the layout `G`.
 pub(super) struct Fluid2<P: Layout<I>, G: Layout<Ij>> {
@@ -59,10 +60,41 @@ impl<P: Layout<I>, G: Layout<Ij>> Fluid for Fluid2<P, G> {
         self.points.len()
     }
 
-    fn particle(&self, place: usize) -> Particle {
-        let Point2 { x, v, c, .. } = self.points.get(place);
+    fn particle(&self, place: usize, materials: &[Material]) -> Particle {
+        let Point2 { x, v, c, j } = self.points.get(place);
+        let (pressure, elastic) = of_volume(j, materials);
         let vector = |v: Vec2| [f64::from(v.x), f64::from(v.y), 0.0];
-        Particle { x: vector(x), v: vector(v), c: [vector(c.row(0)), vector(c.row(1)), [0.0; 3]] }
+        let c = [vector(c.row(0)), vector(c.row(1)), [0.0; 3]];
+        Particle { x: vector(x), v: vector(v), c, material: 0, pressure, elastic }
+    }
+
+    fn members(&self) -> Vec<Array> {
+        vec![
+            Array::floats("position", self.points.iter().map(|point| point.x.to_array())),
+            Array::floats("velocity", self.points.iter().map(|point| point.v.to_array())),
+            Array::floats("velocity_gradient", self.points.iter().map(|point| point.c.to_cols_array())),
+            Array::floats("volume_ratio", self.points.iter().map(|point| [point.j])),
+        ]
+    }
+
+    fn set_members(&mut self, state: &State) -> Result<(), String> {
+        let count = self.len();
+        let x = state.floats::<2>("position", count)?;
+        let v = state.floats::<2>("velocity", count)?;
+        let c = state.floats::<4>("velocity_gradient", count)?;
+        let j = state.floats::<1>("volume_ratio", count)?;
+        for p in 0..count {
+            let (x, v) = (Vec2::from_array(x[p]), Vec2::from_array(v[p]));
+            self.points.set(p, Point2 { x, v, c: Mat2::from_cols_array(&c[p]), j: j[p][0] });
+        }
+        Ok(())
+    }
+
+    fn nodes(&self) -> Vec<Array> {
+        vec![
+            Array::floats("mass", self.grid.iter().map(|node| [node.m])),
+            Array::floats("velocity", self.grid.iter().map(|node| node.v.to_array())),
+        ]
     }
 
     fn grid_mass(&self) -> f64 {

@@ -3,11 +3,12 @@
 use allotrope::Permutation;
 use allotrope::prelude::*;
 
-use super::fluid::{Fluid, Particle, block_major};
+use super::fluid::{Fluid, Particle, block_major, of_volume};
 use super::kernels_3d::{clear, count_broken, grid_to_particle, particle_to_grid, update_grid};
 use super::parameters::Mpm;
 use super::records::{Node3, Point3};
-use crate::scene::Particles;
+use crate::scene::{Material, Particles};
+use crate::{Array, State};
 
 /// Particles in the layout `P`, grid nodes in the layout `G`.
 pub(super) struct Fluid3<P: Layout<I>, G: Layout<Ijk>> {
@@ -59,10 +60,41 @@ impl<P: Layout<I>, G: Layout<Ijk>> Fluid for Fluid3<P, G> {
         self.points.len()
     }
 
-    fn particle(&self, place: usize) -> Particle {
-        let Point3 { x, v, c, .. } = self.points.get(place);
+    fn particle(&self, place: usize, materials: &[Material]) -> Particle {
+        let Point3 { x, v, c, j } = self.points.get(place);
+        let (pressure, elastic) = of_volume(j, materials);
         let vector = |v: Vec3| v.to_array().map(f64::from);
-        Particle { x: vector(x), v: vector(v), c: [0, 1, 2].map(|row| vector(c.row(row))) }
+        let c = [0, 1, 2].map(|row| vector(c.row(row)));
+        Particle { x: vector(x), v: vector(v), c, material: 0, pressure, elastic }
+    }
+
+    fn members(&self) -> Vec<Array> {
+        vec![
+            Array::floats("position", self.points.iter().map(|point| point.x.to_array())),
+            Array::floats("velocity", self.points.iter().map(|point| point.v.to_array())),
+            Array::floats("velocity_gradient", self.points.iter().map(|point| point.c.to_cols_array())),
+            Array::floats("volume_ratio", self.points.iter().map(|point| [point.j])),
+        ]
+    }
+
+    fn set_members(&mut self, state: &State) -> Result<(), String> {
+        let count = self.len();
+        let x = state.floats::<3>("position", count)?;
+        let v = state.floats::<3>("velocity", count)?;
+        let c = state.floats::<9>("velocity_gradient", count)?;
+        let j = state.floats::<1>("volume_ratio", count)?;
+        for p in 0..count {
+            let (x, v) = (Vec3::from_array(x[p]), Vec3::from_array(v[p]));
+            self.points.set(p, Point3 { x, v, c: Mat3::from_cols_array(&c[p]), j: j[p][0] });
+        }
+        Ok(())
+    }
+
+    fn nodes(&self) -> Vec<Array> {
+        vec![
+            Array::floats("mass", self.grid.iter().map(|node| [node.m])),
+            Array::floats("velocity", self.grid.iter().map(|node| node.v.to_array())),
+        ]
     }
 
     fn grid_mass(&self) -> f64 {

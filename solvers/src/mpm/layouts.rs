@@ -55,6 +55,11 @@ layout_pairs! {
     "aosoa16+split": AoSoA<16>, Split, "particles in groups of 16, an array for each component of nodes";
 }
 
+/// Why a scene makes no sense in a layout, if it does not.
+pub(super) fn unfit(_scene: &Scene, _layout: &str) -> Option<&'static str> {
+    None
+}
+
 fn in_layouts<P, G>(scene: &Scene) -> Built
 where
     P: Layout<I> + 'static,

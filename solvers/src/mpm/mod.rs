@@ -16,6 +16,7 @@ mod fluid_3d;
 pub mod kernels_2d;
 pub mod kernels_3d;
 mod layouts;
+pub mod materials;
 mod parameters;
 mod records;
 mod scenes;
@@ -33,5 +34,6 @@ pub(crate) const SOLVER: SolverInfo = SolverInfo {
     about: "the material point method for a weakly compressible fluid in 2D and 3D (MLS-MPM, APIC, quadratic splines)",
     scenes: scenes::SCENES,
     layouts: layouts::LAYOUTS,
+    unfit: layouts::unfit,
     build: layouts::build,
 };

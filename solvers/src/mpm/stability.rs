@@ -10,8 +10,12 @@ use crate::scene::{Particles, Scene};
 /// turns into velocity gradient by `4 c^2 / dx^2`, and that into volume `d`-fold), and symplectic Euler is stable for
 /// `w dt < 2`; and it must not leave the nodes around it within a step.
 pub fn largest_step(scene: &Scene, speed: f64) -> f64 {
-    let sound = (scene.stiffness / scene.density).sqrt();
-    scene.dx() / (sound * (scene.dimensions as f64).sqrt() + speed)
+    scene.dx() / (sound(scene) * (scene.dimensions as f64).sqrt() + speed)
+}
+
+/// The speed of the fastest wave in m/s.
+fn sound(scene: &Scene) -> f64 {
+    scene.materials.iter().map(|material| (material.model.wave_modulus() / material.density).sqrt()).fold(0.0, f64::max)
 }
 
 /// Refuses a scene whose time step is unstable from the start.
@@ -22,7 +26,7 @@ pub(super) fn check(scene: &Scene, particles: &Particles) -> Result<(), SceneErr
     if scene.dt <= bound {
         return Ok(());
     }
-    let sound = (scene.stiffness / scene.density).sqrt();
+    let sound = sound(scene);
     let message = format!(
         "is unstable: with sound at {sound:.4}, particles at up to {fastest:.4} and cells of {:.6} it must be at most \
          {bound:.3e}",

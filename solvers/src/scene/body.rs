@@ -12,6 +12,8 @@ use crate::mesh::{ClosedMesh, read_obj};
 pub struct Body {
     /// What it fills.
     pub shape: Shape,
+    /// Of which of the scene's materials.
+    pub material: usize,
     /// Velocity in metres a second.
     pub velocity: [f64; 3],
     /// Rotation about its centre in rad/s; in 2D about the third axis.
@@ -114,6 +116,7 @@ impl Body {
         };
         Ok(Self {
             shape,
+            material: 0,
             velocity: keys.vector("velocity", dimensions)?.unwrap_or_default(),
             spin: read_spin(keys, dimensions)?,
         })
@@ -131,6 +134,7 @@ impl Body {
             particles.x.push(x);
             particles.v.push(std::array::from_fn(|axis| self.velocity[axis] + turn(gradient[axis])));
             particles.c.push(gradient);
+            particles.material.push(self.material as u32);
         }
     }
 }

@@ -1,16 +1,26 @@
 //! Scenes: what is simulated. A scene is a TOML text; `SCENES.md` is the schema.
 
 mod body;
+mod camera;
+mod contact;
 mod error;
 mod folder;
 mod keys;
+mod material;
+mod transfer;
 
 use std::path::Path;
 
 pub use body::{Body, Fill, Shape};
+pub use camera::CameraPlace;
+pub use contact::{Collider, ColliderShape, Contact, SIDES, Wall, Walls};
 pub use error::SceneError;
 pub use folder::Folder;
 use keys::Keys;
+pub use material::Material;
+pub use transfer::{Forces, Scheme, Spline, Transfer};
+
+use crate::mpm::materials::Model;
 
 /// The version of the schema.
 const VERSION: i64 = 1;
@@ -44,10 +54,18 @@ pub struct Scene {
     pub spacing: f64,
     /// Nodes, from each border on, through which nothing flows outwards.
     pub wall: usize,
-    /// Bulk stiffness of the fluid in Pa.
-    pub stiffness: f64,
-    /// Density at rest in kg/m^3.
-    pub density: f64,
+    /// What bodies are of; at least one.
+    pub materials: Vec<Material>,
+    /// How velocity moves between particles and grid.
+    pub transfer: Transfer,
+    /// What the sides of the domain do.
+    pub walls: Walls,
+    /// What stands in the domain.
+    pub colliders: Vec<Collider>,
+    /// From where it is looked at.
+    pub camera: CameraPlace,
+    /// Of the generators of random numbers of all bodies that have none of their own.
+    pub seed: u64,
     /// Steps after which the particles are sorted by cell; zero: never.
     pub reorder: u64,
     /// Steps that a run takes if none are asked for.
@@ -65,6 +83,8 @@ pub struct Particles {
     pub v: Vec<[f64; 3]>,
     /// Gradients of the velocity, `c[row][column]`, in 1/s.
     pub c: Vec<[[f64; 3]; 3]>,
+    /// Of which of the scene's materials.
+    pub material: Vec<u32>,
 }
 
 const KEYS: &[&str] = &[
@@ -141,8 +161,16 @@ impl Scene {
             gravity: keys.vector("gravity", dimensions)?.unwrap_or_default(),
             spacing,
             wall,
-            stiffness: material.positive("stiffness", "400.0")?,
-            density: material.positive("density", "1.0")?,
+            materials: vec![Material {
+                name: "fluid".into(),
+                density: material.positive("density", "1.0")?,
+                model: Model::Fluid { stiffness: material.positive("stiffness", "400.0")? as f32 },
+            }],
+            transfer: Transfer::default(),
+            walls: Walls::default(),
+            colliders: Vec::new(),
+            camera: CameraPlace::default(),
+            seed: 0,
             reorder: keys.whole("reorder", 0, i64::MAX)?.unwrap_or(0) as u64,
             steps: keys.whole("steps", 1, i64::MAX)?.unwrap_or(1000) as u64,
             bodies: keys
