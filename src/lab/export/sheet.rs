@@ -25,17 +25,9 @@ pub fn picks(frames: usize) -> Vec<usize> {
     (0..shown).map(|n| if shown < 2 { n } else { (n * (frames - 1) + (shown - 1) / 2) / (shown - 1) }).collect()
 }
 
-/// What a picture is labelled with: `step 120  0.024 s`.
+/// What a picture is labelled with: `step 120  0.0240 s`.
 pub fn label(simulation: &dyn Simulation) -> String {
-    let time = simulation.time();
-    let digits = if time >= 10.0 {
-        1
-    } else if time >= 0.1 || time == 0.0 {
-        3
-    } else {
-        5
-    };
-    format!("step {}  {time:.digits$} s", simulation.steps())
+    format!("step {}  {:.4} s", simulation.steps(), simulation.time())
 }
 
 /// A contact sheet, picture by picture: no more of them are kept than it shows.
