@@ -3,6 +3,7 @@
 pub mod bench;
 pub mod cli;
 pub mod errors;
+pub mod export;
 pub mod list;
 pub mod machine;
 pub mod output;

@@ -9,7 +9,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use super::errors::LabError;
 use super::machine::{self, NamedSchedule};
 use super::output;
-use super::render::Camera;
+use super::render::{Camera, Shading};
 
 /// What is to be run.
 #[derive(Debug)]
@@ -53,7 +53,7 @@ pub fn run(plan: &Plan) -> Result<(), LabError> {
         machine::instruction_set()
     ))?;
 
-    let camera = Camera::new(&*simulation, &plan.scene);
+    let camera = Camera::new(&*simulation, &plan.scene, Shading::fitting(&*simulation));
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} steps, {per_sec}, {eta} left {msg}");
     let bar = ProgressBar::new(plan.steps).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
     let picture = |number: u64, simulation: &dyn allotrope_solvers::Simulation| {

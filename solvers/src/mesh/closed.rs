@@ -72,6 +72,11 @@ impl ClosedMesh {
         std::array::from_fn(|axis| x[axis] - first[axis])
     }
 
+    /// The corners of each triangle, counter-clockwise seen from outside.
+    pub fn corners(&self) -> impl Iterator<Item = [[f64; 3]; 3]> + '_ {
+        self.triangles.iter().map(|triangle| triangle.map(|vertex| self.vertices[vertex as usize]))
+    }
+
     /// The mesh scaled, then moved.
     pub fn placed(mut self, scale: f64, offset: [f64; 3]) -> Self {
         for vertex in &mut self.vertices {

@@ -1,4 +1,4 @@
-//! Colours in linear light, and the scale of speeds.
+//! Colours in linear light, and scales of them.
 
 use std::ops::{Add, Mul};
 
@@ -48,14 +48,23 @@ impl Colour {
 pub(super) const NIGHT: u32 = 0x0b0f1a;
 
 /// The scale of speeds, from rest to fast: deep blue over turquoise and cream to orange.
-const SCALE: [u32; 5] = [0x1d4fb8, 0x2a93e0, 0x5fd9d3, 0xf4f0b4, 0xff9a4a];
+const SPEEDS: [u32; 5] = [0x1d4fb8, 0x2a93e0, 0x5fd9d3, 0xf4f0b4, 0xff9a4a];
 
-/// The scale of speeds, ready for use.
+/// The scale of pressures, from tension over none, which is grey, to compression.
+const PRESSURES: [u32; 5] = [0x2166c8, 0x7fb2e6, 0xd9d6d0, 0xf0925e, 0xc4202c];
+
+/// A scale of colours, ready for use.
 pub(super) struct Scale([Colour; 5]);
 
 impl Scale {
-    pub(super) fn new() -> Self {
-        Self(SCALE.map(Colour::hex))
+    /// The scale of speeds.
+    pub(super) fn speeds() -> Self {
+        Self(SPEEDS.map(Colour::hex))
+    }
+
+    /// The scale of pressures; none lies in the middle.
+    pub(super) fn pressures() -> Self {
+        Self(PRESSURES.map(Colour::hex))
     }
 
     /// The colour at a place from zero to one.
@@ -79,10 +88,12 @@ mod tests {
     }
 
     #[test]
-    fn the_scale_runs_from_end_to_end() {
-        let scale = Scale::new();
-        assert_eq!(scale.at(0.0), Colour::hex(SCALE[0]));
-        assert_eq!(scale.at(1.0), Colour::hex(SCALE[4]));
-        assert_eq!(scale.at(0.25), Colour::hex(SCALE[1]));
+    fn scales_run_from_end_to_end() {
+        for (scale, colours) in [(Scale::speeds(), SPEEDS), (Scale::pressures(), PRESSURES)] {
+            assert_eq!(scale.at(0.0), Colour::hex(colours[0]));
+            assert_eq!(scale.at(0.25), Colour::hex(colours[1]));
+            assert_eq!(scale.at(0.5), Colour::hex(colours[2]));
+            assert_eq!(scale.at(1.0), Colour::hex(colours[4]));
+        }
     }
 }

@@ -1,36 +1,68 @@
-//! Pictures of particles.
+//! Pictures of particles, and of what stands between them.
 
 mod canvas;
+mod collider;
 mod colour;
+mod picture;
 mod plane;
+mod shading;
+mod solid;
 mod space;
 
+use allotrope_solvers::scene::{CameraPlace, Collider};
 use allotrope_solvers::{Scene, Simulation};
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{ExtendedColorType, ImageEncoder};
+
+pub use picture::Picture;
+pub use shading::{SHADINGS, Shading};
 
 use super::errors::LabError;
-use canvas::Canvas;
+use colour::{Colour, Scale};
 
 /// Pixels along the longer side of a picture.
 const SIDE: usize = 800;
 
-/// How a simulation is looked at: the same for all pictures of a run, the scale of colours too.
+/// How a simulation is looked at: the same for all pictures of a run, the scales of colours too.
 #[derive(Clone, Debug)]
 pub struct Camera {
-    /// The speed in m/s at the upper end of the scale of colours.
+    shading: Shading,
+    place: CameraPlace,
+    /// The speed in m/s at the upper end of the scale of speeds.
     top_speed: f64,
+    /// The pressure in Pa at the upper end of the scale of pressures; the lower end is as far below zero.
+    top_pressure: f64,
+    materials: Vec<Colour>,
+    colliders: Vec<Collider>,
 }
 
 impl Camera {
-    /// A camera for a simulation that has just begun. Its scale of colours ends at the speed that the fastest particle
-    /// would have after falling all the way.
-    pub fn new(simulation: &dyn Simulation, scene: &Scene) -> Self {
+    /// A camera for a simulation that has just begun.
+    ///
+    /// The scale of speeds ends at the speed that the fastest particle would have after falling all the way. The scale
+    /// of pressures ends at half the pressure that stops the densest material from that speed (Bernoulli), which is at
+    /// least that at the bottom of a tank filled by half, at rest; below zero it ends alike. Both depend on the scene
+    /// and its start alone, so that they are the same in each picture of a run.
+    pub fn new(simulation: &dyn Simulation, scene: &Scene, shading: Shading) -> Self {
         let fastest = simulation.velocities().iter().map(length).fold(0.0, f64::max);
         let fall =
             simulation.extent().iter().zip(&scene.gravity).map(|(extent, gravity)| extent * gravity.abs()).sum::<f64>();
         let top_speed = (fastest * fastest + 2.0 * fall).sqrt();
-        Self { top_speed: if top_speed > 0.0 { top_speed } else { 1.0 } }
+        let top_speed = if top_speed > 0.0 { top_speed } else { 1.0 };
+        let densest = scene.materials.iter().map(|material| material.density).fold(0.0, f64::max);
+        Self {
+            shading,
+            place: scene.camera,
+            top_speed,
+            top_pressure: (0.25 * densest * top_speed * top_speed).max(f64::MIN_POSITIVE),
+            materials: shading::material_colours(&scene.materials),
+            colliders: scene.colliders.clone(),
+        }
+    }
+
+    /// The picture of the simulation's present state.
+    pub fn picture(&self, simulation: &dyn Simulation) -> Picture {
+        let canvas =
+            if simulation.dimensions() == 2 { plane::draw(self, simulation) } else { space::draw(self, simulation) };
+        Picture::of(&canvas)
     }
 
     /// The picture of the simulation's present state, as the bytes of a PNG file.
@@ -38,23 +70,28 @@ impl Camera {
     /// # Errors
     /// If the picture cannot be encoded.
     pub fn png(&self, simulation: &dyn Simulation) -> Result<Vec<u8>, LabError> {
-        let canvas =
-            if simulation.dimensions() == 2 { plane::draw(self, simulation) } else { space::draw(self, simulation) };
-        encode(&canvas)
+        self.picture(simulation).png()
     }
 
-    /// A particle's place on the scale of colours, from zero to one.
-    fn tone(&self, velocity: &[f64; 3]) -> f32 {
-        ((length(velocity) / self.top_speed) as f32).clamp(0.0, 1.0)
+    /// The colour of each particle.
+    fn colours(&self, simulation: &dyn Simulation) -> Vec<Colour> {
+        match self.shading {
+            Shading::Velocity => {
+                let scale = Scale::speeds();
+                let tone = |v| ((length(v) / self.top_speed) as f32).clamp(0.0, 1.0);
+                simulation.velocities().iter().map(|v| scale.at(tone(v))).collect()
+            }
+            Shading::Pressure => {
+                let scale = Scale::pressures();
+                let tone = |p: f64| (0.5 + 0.5 * p / self.top_pressure).clamp(0.0, 1.0) as f32;
+                simulation.pressures().into_iter().map(|p| scale.at(tone(p))).collect()
+            }
+            Shading::Material => {
+                let last = self.materials.len() - 1;
+                simulation.material_of().into_iter().map(|m| self.materials[last.min(m as usize)]).collect()
+            }
+        }
     }
-}
-
-fn encode(canvas: &Canvas) -> Result<Vec<u8>, LabError> {
-    let mut bytes = Vec::new();
-    PngEncoder::new_with_quality(&mut bytes, CompressionType::Default, FilterType::Adaptive)
-        .write_image(&canvas.bytes(), canvas.width as u32, canvas.height as u32, ExtendedColorType::Rgb8)
-        .map_err(|error| LabError::failure(format!("a picture cannot be encoded: {error}")))?;
-    Ok(bytes)
 }
 
 fn length(v: &[f64; 3]) -> f64 {

@@ -1,9 +1,10 @@
-//! Pictures of a plane: particles as soft splats that flow together, coloured by speed.
+//! Pictures of a plane: particles as soft splats that flow together, each in its colour.
 
 use allotrope_solvers::Simulation;
 
 use super::canvas::Canvas;
-use super::colour::{Colour, NIGHT, Scale};
+use super::collider;
+use super::colour::{Colour, NIGHT};
 use super::{Camera, SIDE};
 
 /// Standard deviation of a splat, in distances between particles at rest.
@@ -17,25 +18,25 @@ pub(super) fn draw(camera: &Camera, simulation: &dyn Simulation) -> Canvas {
     let deviation = (WIDTH * spacing).max(0.7);
     let reach = (2.5 * deviation).ceil() as i64;
 
-    // Density of splats in each pixel, and their mean tone times it. A particle at rest adds, over a spacing squared,
+    // Density of splats in each pixel, and their mean colour times it. A particle at rest adds, over a spacing squared,
     // one.
     let mut density = vec![0f32; columns * rows];
-    let mut toned = vec![0f32; columns * rows];
+    let mut coloured = vec![Colour::default(); columns * rows];
     let unit = spacing * spacing / (2.0 * std::f64::consts::PI * deviation * deviation);
-    for (x, v) in simulation.positions().iter().zip(&simulation.velocities()) {
+    for (x, colour) in simulation.positions().iter().zip(camera.colours(simulation)) {
         let (column, row) = (x[0] * scale - 0.5, rows as f64 - 0.5 - x[1] * scale);
-        let tone = camera.tone(v);
         for r in (row.round() as i64 - reach).max(0)..=(row.round() as i64 + reach).min(rows as i64 - 1) {
             for c in (column.round() as i64 - reach).max(0)..=(column.round() as i64 + reach).min(columns as i64 - 1) {
                 let square = (c as f64 - column).powi(2) + (r as f64 - row).powi(2);
                 let weight = (unit * (-0.5 * square / (deviation * deviation)).exp()) as f32;
-                density[r as usize * columns + c as usize] += weight;
-                toned[r as usize * columns + c as usize] += weight * tone;
+                let pixel = r as usize * columns + c as usize;
+                density[pixel] += weight;
+                coloured[pixel] = coloured[pixel] + colour * weight;
             }
         }
     }
 
-    let colours = Scale::new();
+    let colliders = collider::at(&camera.colliders, simulation.time());
     let night = Colour::hex(NIGHT);
     let (tank, border) = (Colour::hex(0x141b2d), Colour::hex(0x33415f));
     let wall = simulation.margin() * scale;
@@ -52,13 +53,25 @@ pub(super) fn draw(camera: &Camera, simulation: &dyn Simulation) -> Canvas {
             tank
         };
         let here = row * columns + column;
+        // Colliders stand before fluid, whose soft edge is wider than the gap between them; the wall before both.
+        let solid = |colour: Colour| {
+            if inward < 0.0 {
+                return colour;
+            }
+            let x = [(column as f64 + 0.5) / scale, (rows as f64 - row as f64 - 0.5) / scale, 0.0];
+            colliders.iter().fold(colour, |colour, shape| {
+                let (grey, share) = collider::flat(shape.distance(x) * scale);
+                colour.mix(grey, share)
+            })
+        };
         if density[here] < 1e-3 {
-            return back;
+            return solid(back);
         }
         // Light from above left makes the surface stand out.
         let (left, right) = (cover(column.saturating_sub(3), row), cover((column + 3).min(columns - 1), row));
         let (above, below) = (cover(column, row.saturating_sub(3)), cover(column, (row + 3).min(rows - 1)));
         let light = 1.0 + 0.5 * (right - left + below - above).clamp(-1.0, 1.0);
-        back.mix(colours.at(toned[here] / density[here]) * light, cover(column, row))
+        let fluid = coloured[here] * (1.0 / density[here]);
+        solid(back.mix(fluid * light, cover(column, row)))
     })
 }
