@@ -1,5 +1,10 @@
 //! Meshes: read, checked, measured and filled.
 
+#[path = "mesh/distance.rs"]
+mod distance;
+#[path = "mesh/formats.rs"]
+mod formats;
+
 use allotrope_solvers::mesh::read_obj;
 
 const BUNNY: &[u8] = include_bytes!("../scenes/bunny.obj");

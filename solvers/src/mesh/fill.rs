@@ -18,43 +18,67 @@ impl ClosedMesh {
         // The lattice lies symmetrically in the box.
         let first: [f64; 3] =
             std::array::from_fn(|axis| 0.5 * (low[axis] + high[axis]) - 0.5 * (counts[axis] - 1) as f64 * spacing);
+        let columns = Columns::new(self, first, spacing, counts);
         let at = |axis: usize, n: usize| first[axis] + n as f64 * spacing;
-        // The lattice coordinates, from below, that can lie between two values; one more on each side than can, against
-        // rounding.
-        let range = |axis: usize, from: f64, to: f64| {
-            let from = ((from - first[axis]) / spacing).ceil() - 1.0;
-            let to = ((to - first[axis]) / spacing).floor() + 2.0;
-            (from.max(0.0) as usize)..(to.max(0.0) as usize).min(counts[axis])
-        };
+        let mut points = Vec::new();
+        for i in 0..counts[0] {
+            for j in 0..counts[1] {
+                points.extend(columns.inside(i, j).map(|k| [at(0, i), at(1, j), at(2, k)]));
+            }
+        }
+        points
+    }
+}
 
-        let mut crossings: Vec<Vec<f64>> = vec![Vec::new(); counts[0] * counts[1]];
-        for triangle in &self.triangles {
-            let corners = triangle.map(|vertex| self.vertices[vertex as usize]);
+/// Where the columns of a lattice along the third axis cross a mesh.
+pub(super) struct Columns {
+    first: [f64; 3],
+    spacing: f64,
+    counts: [usize; 3],
+    /// For each column its crossings from below.
+    crossings: Vec<Vec<f64>>,
+}
+
+impl Columns {
+    /// The crossings of a lattice whose first point and numbers of points are given.
+    pub(super) fn new(mesh: &ClosedMesh, first: [f64; 3], spacing: f64, counts: [usize; 3]) -> Self {
+        let mut columns = Self { first, spacing, counts, crossings: vec![Vec::new(); counts[0] * counts[1]] };
+        for triangle in &mesh.triangles {
+            let corners = triangle.map(|vertex| mesh.vertices[vertex as usize]);
             let extreme =
                 |axis: usize, pick: fn(f64, f64) -> f64| corners.iter().map(|x| x[axis]).reduce(pick).unwrap_or(0.0);
-            for i in range(0, extreme(0, f64::min), extreme(0, f64::max)) {
-                for j in range(1, extreme(1, f64::min), extreme(1, f64::max)) {
-                    if let Some(height) = crossing(corners, [at(0, i), at(1, j)]) {
-                        crossings[i * counts[1] + j].push(height);
+            for i in columns.range(0, extreme(0, f64::min), extreme(0, f64::max)) {
+                for j in columns.range(1, extreme(1, f64::min), extreme(1, f64::max)) {
+                    if let Some(height) = crossing(corners, [columns.at(0, i), columns.at(1, j)]) {
+                        columns.crossings[i * counts[1] + j].push(height);
                     }
                 }
             }
         }
+        columns.crossings.iter_mut().for_each(|column| column.sort_by(f64::total_cmp));
+        columns
+    }
 
-        let mut points = Vec::new();
-        for i in 0..counts[0] {
-            for j in 0..counts[1] {
-                let column = &mut crossings[i * counts[1] + j];
-                column.sort_by(f64::total_cmp);
-                let (pairs, rest) = column.as_chunks::<2>();
-                debug_assert!(rest.is_empty(), "a closed mesh is crossed an even number of times");
-                for &[enter, leave] in pairs {
-                    let within = |&k: &usize| enter <= at(2, k) && at(2, k) < leave;
-                    points.extend(range(2, enter, leave).filter(within).map(|k| [at(0, i), at(1, j), at(2, k)]));
-                }
-            }
-        }
-        points
+    fn at(&self, axis: usize, n: usize) -> f64 {
+        self.first[axis] + n as f64 * self.spacing
+    }
+
+    /// The lattice coordinates, from below, that can lie between two values; one more on each side than can, against
+    /// rounding.
+    fn range(&self, axis: usize, from: f64, to: f64) -> std::ops::Range<usize> {
+        let from = ((from - self.first[axis]) / self.spacing).ceil() - 1.0;
+        let to = ((to - self.first[axis]) / self.spacing).floor() + 2.0;
+        (from.max(0.0) as usize)..(to.max(0.0) as usize).min(self.counts[axis])
+    }
+
+    /// Which points of a column lie inside the mesh, from below.
+    pub(super) fn inside(&self, i: usize, j: usize) -> impl Iterator<Item = usize> {
+        let (pairs, rest) = self.crossings[i * self.counts[1] + j].as_chunks::<2>();
+        debug_assert!(rest.is_empty(), "a closed mesh is crossed an even number of times");
+        pairs.iter().flat_map(move |&[enter, leave]| {
+            let within = move |&k: &usize| enter <= self.at(2, k) && self.at(2, k) < leave;
+            self.range(2, enter, leave).filter(within)
+        })
     }
 }
 

@@ -1,13 +1,20 @@
-//! Closed triangle meshes: read, checked, measured and filled with points.
+//! Closed triangle meshes: read, checked, measured, filled with points, and distances from them.
 
 mod closed;
+mod distance;
 mod fill;
+mod obj;
+mod ply;
 mod read;
+mod stl;
+mod weld;
 
 use std::fmt;
 
 pub use closed::ClosedMesh;
-pub use read::{read, read_obj};
+pub use distance::SignedDistance;
+pub use obj::read_obj;
+pub use read::read;
 
 /// A triangle mesh of which nothing is known yet.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,48 +1,39 @@
-//! Reads meshes from OBJ files.
+//! Reads meshes from files of several forms.
 
-use std::collections::HashMap;
+use super::{Mesh, MeshError, ply, read_obj, stl};
 
-use super::{Mesh, MeshError};
-
-/// Reads the triangles of a file, told its kind by its name.
+/// Reads the triangles of an OBJ, PLY or STL file; polygons are cut into fans, and vertices at equal positions are one.
+/// The form is that of the name's extension; if it tells none, that which the content looks like.
 ///
 /// # Errors
-/// As those of [`read_obj`].
-pub fn read(_name: &str, bytes: &[u8]) -> Result<Mesh, MeshError> {
-    read_obj(bytes)
+/// If the form is none of these, the content not of that form, a position not finite, or there is no face.
+///
+/// ```
+/// let text = "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid";
+/// let triangle = allotrope_solvers::mesh::read("triangle.stl", text.as_bytes()).unwrap();
+/// assert!(triangle.closed().is_err());
+/// ```
+pub fn read(name: &str, bytes: &[u8]) -> Result<Mesh, MeshError> {
+    let name = name.to_lowercase();
+    let is = |extension| name.ends_with(extension);
+    if is(".obj") {
+        read_obj(bytes)
+    } else if is(".ply") {
+        ply::read(bytes)
+    } else if is(".stl") {
+        stl::read(bytes)
+    } else if bytes.starts_with(b"ply") {
+        ply::read(bytes)
+    } else if stl::looks_like(bytes) {
+        stl::read(bytes)
+    } else if looks_like_obj(bytes) {
+        read_obj(bytes)
+    } else {
+        Err(MeshError("is no mesh in a form that is known; they are OBJ, PLY and STL".into()))
+    }
 }
 
-/// Reads the triangles of an OBJ file; polygons are cut into fans. All objects of the file make one mesh, in which
-/// vertices at equal positions are one vertex, since many programs write a vertex once for each face or object that it
-/// belongs to.
-///
-/// # Errors
-/// If the text is not an OBJ file, a position is not finite, or there is no face.
-pub fn read_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
-    let options =
-        tobj::LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..Default::default() };
-    let (models, _) = tobj::load_obj_buf(&mut &bytes[..], &options, |_| Ok(Default::default()))
-        .map_err(|error| MeshError(format!("is not a readable OBJ file: {error}")))?;
-    let mut mesh = Mesh { vertices: Vec::new(), triangles: Vec::new() };
-    let mut known = HashMap::new();
-    for tobj::Model { mesh: part, .. } in models {
-        let (positions, _) = part.positions.as_chunks::<3>();
-        let mut renumbered = Vec::with_capacity(positions.len());
-        for position in positions {
-            if position.iter().any(|x| !x.is_finite()) {
-                return Err(MeshError(format!("has a vertex that is not finite, {position:?}")));
-            }
-            // `+ 0.0` makes the two zeros one.
-            let vertex = *known.entry(position.map(|x| (x + 0.0).to_bits())).or_insert(mesh.vertices.len() as u32);
-            if vertex as usize == mesh.vertices.len() {
-                mesh.vertices.push(*position);
-            }
-            renumbered.push(vertex);
-        }
-        let (triangles, _) = part.indices.as_chunks::<3>();
-        let corners = triangles.iter().map(|triangle| triangle.map(|vertex| renumbered[vertex as usize]));
-        // A triangle that names a vertex twice has no area, and its neighbours meet where it is left out.
-        mesh.triangles.extend(corners.filter(|[a, b, c]| a != b && b != c && c != a));
-    }
-    if mesh.triangles.is_empty() { Err(MeshError("has no faces".into())) } else { Ok(mesh) }
+/// Whether there is a line of a vertex among the first.
+fn looks_like_obj(bytes: &[u8]) -> bool {
+    bytes.split(|&byte| byte == b'\n').take(100).any(|line| line.starts_with(b"v "))
 }
