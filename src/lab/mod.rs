@@ -1,13 +1,17 @@
 //! The laboratory's commands, and what they are made of.
 
 pub mod bench;
+pub mod checkpoint;
 pub mod cli;
 pub mod errors;
 pub mod export;
 pub mod list;
 pub mod machine;
 pub mod output;
+pub mod overrides;
 pub mod render;
 pub mod run;
+pub mod scene;
+pub mod signals;
 pub mod statistics;
 pub mod table;

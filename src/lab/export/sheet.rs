@@ -1,7 +1,5 @@
 //! A contact sheet: some pictures of a run in one, halved, each with its step and time.
 
-use allotrope_solvers::Simulation;
-
 use super::text;
 use crate::lab::errors::LabError;
 use crate::lab::render::Picture;
@@ -26,8 +24,7 @@ pub fn picks(frames: usize) -> Vec<usize> {
 }
 
 /// What a picture is labelled with: `step 120  0.024 s`.
-pub fn label(simulation: &dyn Simulation) -> String {
-    let time = simulation.time();
+pub fn label(step: u64, time: f64) -> String {
     let digits = if time >= 10.0 {
         1
     } else if time >= 0.1 || time == 0.0 {
@@ -35,7 +32,7 @@ pub fn label(simulation: &dyn Simulation) -> String {
     } else {
         5
     };
-    format!("step {}  {time:.digits$} s", simulation.steps())
+    format!("step {step}  {time:.digits$} s")
 }
 
 /// A contact sheet, picture by picture: no more of them are kept than it shows.

@@ -1,0 +1,171 @@
+//! Which scene is asked for.
+
+use std::path::{Path, PathBuf};
+
+use allotrope_solvers::scene::Folder;
+use allotrope_solvers::{Scene, SolverInfo};
+use clap::Args;
+
+use super::values;
+use crate::lab::errors::LabError;
+use crate::lab::overrides;
+use crate::lab::run::Sizes;
+
+/// More particles than this are sorted by cell unless the command says otherwise: grid and particles no longer fit into
+/// a core's second cache, and a scattered access costs more than the sort does.
+const SORTED_ABOVE: usize = 1 << 16;
+
+/// How often they are sorted: within so many steps the fastest of them cross some cells, and the cost of a sort is
+/// spread thin.
+const SORTED_EVERY: u64 = 32;
+
+/// Which scene, in which size, and for how long.
+#[derive(Args, Debug)]
+pub(super) struct SceneArguments {
+    /// The scene: a built-in name, or a TOML file [default: the first that `list` tells]
+    #[arg(long, value_name = "S")]
+    pub(super) scene: Option<String>,
+    /// Another value than the scene's, such as `dt=1e-4` or `material.density=2.0`; may be given more than once
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub(super) set: Vec<String>,
+    /// Another number of particles than the scene's
+    #[arg(long, value_name = "N", value_parser = values::count)]
+    pub(super) particles: Option<usize>,
+    /// Another number of nodes along the first axis than the scene's; the time step is scaled with the cells
+    #[arg(long, value_name = "N", value_parser = values::count)]
+    pub(super) grid: Option<usize>,
+    /// Steps after which particles are sorted by cell, 0 for never [default: the scene's; with --particles above 65536,
+    /// 32]
+    #[arg(long, value_name = "N")]
+    pub(super) reorder: Option<u64>,
+    /// Threads [default: ALLOTROPE_THREADS, or as many as the processor runs]
+    #[arg(long, value_name = "N", value_parser = values::threads)]
+    pub(super) threads: Option<usize>,
+    /// Steps to take [default: the scene's; of `bench`, what takes about 20 seconds, 1100 at most]
+    #[arg(long, value_name = "N", value_parser = values::steps)]
+    pub(super) steps: Option<u64>,
+}
+
+impl SceneArguments {
+    /// The name by which the scene is asked for.
+    pub(super) fn name<'a>(&'a self, solver: &SolverInfo) -> &'a str {
+        self.scene.as_deref().unwrap_or(solver.scenes[0].name)
+    }
+
+    /// Other sizes than the scene's.
+    pub(super) fn sizes(&self) -> Sizes {
+        Sizes { grid: self.grid, particles: self.particles, reorder: self.reorder }
+    }
+
+    /// The scene as it was asked for, in its size.
+    pub(super) fn scene(&self, solver: &SolverInfo) -> Result<Scene, LabError> {
+        sized(self.unsized_scene(solver, self.name(solver))?.scene, self.sizes())
+    }
+
+    /// The scene of that name for a solver in its own size, with what is set of it.
+    pub(super) fn unsized_scene(&self, solver: &SolverInfo, name: &str) -> Result<Named, LabError> {
+        let named = Named::read(solver, name, &self.set)?;
+        if named.scene.solver == solver.name {
+            return Ok(named);
+        }
+        let of = solver_of(&named.scene)?.name;
+        Err(LabError::usage(format!("scene `{name}` is for the solver `{of}`, not `{}`", solver.name)))
+    }
+}
+
+/// The solver of a scene.
+pub(super) fn solver_of(scene: &Scene) -> Result<&'static SolverInfo, LabError> {
+    allotrope_solvers::solver(&scene.solver)
+        .map_err(|fault| LabError::usage(format!("scene `{}`: `solver` is wrong: {fault}", scene.file)))
+}
+
+/// Whether a name is that of a file: with a dot or a separator in it, or there.
+fn is_file(solver: &SolverInfo, name: &str) -> bool {
+    let built_in = solver.scenes.iter().any(|scene| scene.name == name);
+    !built_in && (name.contains(['/', '\\', '.']) || Path::new(name).is_file())
+}
+
+/// A scene with the text that it was read from.
+pub(super) struct Named {
+    pub(super) scene: Scene,
+    /// With what was set of it.
+    pub(super) text: String,
+}
+
+impl Named {
+    /// The scene of a built-in name or a file, with other values.
+    pub(super) fn read(solver: &SolverInfo, name: &str, set: &[String]) -> Result<Self, LabError> {
+        if let Some(info) = solver.scenes.iter().find(|scene| scene.name == name) {
+            return Self::parse(info.text, name, Folder::BuiltIn, set);
+        }
+        if !is_file(solver, name) {
+            // There is none of this name, which is told with the nearest one.
+            return Ok(Self { scene: solver.scene(name)?, text: String::new() });
+        }
+        let path = Path::new(name);
+        let fault = |why: String| LabError::usage(format!("scene `{name}`: {why}"));
+        let bytes = std::fs::read(path).map_err(|error| fault(format!("cannot be read: {error}")))?;
+        let text = String::from_utf8(bytes).map_err(|_| fault("is not a text in UTF-8".into()))?;
+        let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
+        Self::parse(&text, name, Folder::Path(folder), set)
+    }
+
+    /// The scene of a text.
+    pub(super) fn parse(text: &str, name: &str, folder: Folder, set: &[String]) -> Result<Self, LabError> {
+        let text = overrides::merged(text, set)?;
+        Ok(Self { scene: Scene::parse(&text, name, folder)?, text })
+    }
+}
+
+/// The folder of the files that a scene of that name names; none for those of the built-in scenes.
+pub(super) fn folder(solver: &SolverInfo, name: &str) -> Result<Option<PathBuf>, LabError> {
+    if !is_file(solver, name) {
+        return Ok(None);
+    }
+    let path = std::path::absolute(name)
+        .map_err(|error| LabError::machine(format!("the folder of `{name}` cannot be told: {error}")))?;
+    Ok(path.parent().map(Path::to_path_buf))
+}
+
+/// A scene in another size.
+pub(super) fn sized(mut scene: Scene, sizes: Sizes) -> Result<Scene, LabError> {
+    if let Some(nodes) = sizes.grid {
+        scene = scene.with_grid(nodes)?;
+    }
+    if let Some(particles) = sizes.particles {
+        scene = scene.with_particles(particles)?;
+        if particles > SORTED_ABOVE && scene.reorder == 0 {
+            scene.reorder = SORTED_EVERY;
+        }
+    }
+    scene.reorder = sizes.reorder.unwrap_or(scene.reorder);
+    Ok(scene)
+}
+
+/// The layout of that name, or the first that fits the scene.
+pub(super) fn fitting(
+    solver: &'static SolverInfo,
+    scene: &Scene,
+    name: Option<&str>,
+) -> Result<&'static str, LabError> {
+    let fit = fit(solver, scene);
+    let Some(name) = name else {
+        let none = || LabError::usage(format!("no layout of `{}` fits scene `{}`", solver.name, scene.file));
+        return fit.first().copied().ok_or_else(none);
+    };
+    let layout = solver.layout(name).map_err(LabError::usage)?.name;
+    match (solver.unfit)(scene, layout) {
+        None => Ok(layout),
+        Some(why) => Err(LabError::usage(format!(
+            "layout `{layout}` does not fit scene `{}`: {why}; those that fit are `{}`",
+            scene.file,
+            fit.join("`, `")
+        ))),
+    }
+}
+
+/// The layouts that fit a scene.
+pub(super) fn fit(solver: &'static SolverInfo, scene: &Scene) -> Vec<&'static str> {
+    let names = solver.layouts.iter().map(|layout| layout.name);
+    names.filter(|layout| (solver.unfit)(scene, layout).is_none()).collect()
+}
