@@ -8,7 +8,7 @@ const WEIGHTS: Colour = [3, 4, 2];
 
 /// A mix of two entries is worth its dots if they lie no further apart than by this: its square counts so many times
 /// less than the square of what the mix is off by.
-const ROUGHNESS: f32 = 0.06;
+const ROUGHNESS: f32 = 0.15;
 
 /// The thresholds of ordered dither (Bayer 1973) in 4 x 4 pixels, in sixteenths.
 const THRESHOLDS: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
@@ -35,23 +35,23 @@ struct Mix {
     share: f32,
 }
 
-/// Colours with their number, and how much they differ.
+/// Colours with their weight, and how much they differ.
 struct Group {
-    colours: Vec<(u32, u32)>,
+    colours: Vec<(u32, f64)>,
     spread: f64,
     axis: usize,
     middle: f64,
 }
 
 impl Group {
-    fn new(colours: Vec<(u32, u32)>) -> Self {
-        let total: f64 = colours.iter().map(|(_, count)| f64::from(*count)).sum();
+    fn new(colours: Vec<(u32, f64)>) -> Self {
+        let total: f64 = colours.iter().map(|(_, weight)| weight).sum();
         let measure = |axis: usize| {
             let (mut sum, mut squares) = (0.0, 0.0);
-            for &(rgb, count) in &colours {
+            for &(rgb, weight) in &colours {
                 let component = f64::from(colour(rgb)[axis]);
-                sum += f64::from(count) * component;
-                squares += f64::from(count) * component * component;
+                sum += weight * component;
+                squares += weight * component * component;
             }
             (f64::from(WEIGHTS[axis]) * (squares - sum * sum / total), sum / total)
         };
@@ -63,10 +63,10 @@ impl Group {
 
     /// Its mean.
     fn mean(&self) -> [u8; 3] {
-        let total: u64 = self.colours.iter().map(|(_, count)| u64::from(*count)).sum();
+        let total: f64 = self.colours.iter().map(|(_, weight)| weight).sum();
         std::array::from_fn(|c| {
-            let sum: u64 = self.colours.iter().map(|&(rgb, count)| u64::from(count) * colour(rgb)[c] as u64).sum();
-            ((sum + total / 2) / total.max(1)) as u8
+            let sum: f64 = self.colours.iter().map(|&(rgb, weight)| weight * f64::from(colour(rgb)[c])).sum();
+            (sum / total).round() as u8
         })
     }
 
@@ -88,7 +88,10 @@ impl Palette {
     /// that differ most is halved at its mean until there are enough (after Heckbert 1982 and Wu 1991).
     pub(super) fn of(mut pixels: Vec<u32>, most: usize) -> Self {
         pixels.sort_unstable();
-        let colours: Vec<(u32, u32)> = pixels.chunk_by(|a, b| a == b).map(|run| (run[0], run.len() as u32)).collect();
+        // Rare colours count more than their pixels do: the little ground that something leaves behind is to look as
+        // the ground around it, which was shown by the many entries of the first frame.
+        let colours: Vec<(u32, f64)> =
+            pixels.chunk_by(|a, b| a == b).map(|run| (run[0], (run.len() as f64).powf(0.7))).collect();
         let mut groups = vec![Group::new(colours.clone())];
         while groups.len() < most {
             let widest = (0..groups.len()).max_by(|&a, &b| groups[a].spread.total_cmp(&groups[b].spread));
@@ -161,12 +164,12 @@ mod tests {
 
     #[test]
     fn a_dark_gradient_is_shown_in_dots_whose_mean_is_right() {
-        // 48 dark blues beside many other colours, and but 64 entries.
+        // 48 dark blues beside thousands of other colours.
         let dark = |column: usize| 0x0b0f1a + (column as u32 / 8) * 0x01_01_01;
-        let other = (0..4096u32).map(|n| (n % 16 * 16) << 16 | (n / 16 % 16 * 16) << 8 | n / 256 * 16);
+        let other = (0..4096u32).map(|n| ((n % 16) << 20) | ((n / 16 % 16) << 12) | ((n / 256) << 4));
         let pixels: Vec<u32> = (0..384 * 64).map(|n| dark(n % 384)).chain(other).collect();
-        let palette = Palette::of(pixels, 64);
-        assert_eq!(palette.entries.len(), 64);
+        let palette = Palette::of(pixels, 255);
+        assert_eq!(palette.entries.len(), 255);
         for left in (0..384).step_by(8) {
             let mut sums = [0; 3];
             for n in 0..64 {

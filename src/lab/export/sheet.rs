@@ -23,16 +23,9 @@ pub fn picks(frames: usize) -> Vec<usize> {
     (0..shown).map(|n| if shown < 2 { n } else { (n * (frames - 1) + (shown - 1) / 2) / (shown - 1) }).collect()
 }
 
-/// What a picture is labelled with: `step 120  0.024 s`.
+/// What a picture is labelled with: `step 120  0.0240 s`.
 pub fn label(step: u64, time: f64) -> String {
-    let digits = if time >= 10.0 {
-        1
-    } else if time >= 0.1 || time == 0.0 {
-        3
-    } else {
-        5
-    };
-    format!("step {step}  {time:.digits$} s")
+    format!("step {step}  {time:.4} s")
 }
 
 /// A contact sheet, picture by picture: no more of them are kept than it shows.

@@ -38,9 +38,9 @@ impl Camera {
     /// A camera for a simulation that has just begun.
     ///
     /// The scale of speeds ends at the speed that the fastest particle would have after falling all the way. The scale
-    /// of pressures ends at the pressure that stops the densest material from that speed (Bernoulli), which is at least
-    /// that at the bottom of a full tank at rest; below zero it ends alike. Both depend on the scene and its start alone,
-    /// so that they are the same in each picture of a run.
+    /// of pressures ends at half the pressure that stops the densest material from that speed (Bernoulli), which is at
+    /// least that at the bottom of a tank filled by half, at rest; below zero it ends alike. Both depend on the scene and
+    /// its start alone, so that they are the same in each picture of a run.
     pub fn new(simulation: &dyn Simulation, scene: &Scene, shading: Shading) -> Self {
         let fastest = simulation.velocities().iter().map(length).fold(0.0, f64::max);
         let fall =
@@ -52,7 +52,7 @@ impl Camera {
             shading,
             place: scene.camera,
             top_speed,
-            top_pressure: (0.5 * densest * top_speed * top_speed).max(f64::MIN_POSITIVE),
+            top_pressure: (0.25 * densest * top_speed * top_speed).max(f64::MIN_POSITIVE),
             materials: shading::material_colours(&scene.materials),
             colliders: scene.colliders.clone(),
         }
