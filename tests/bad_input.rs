@@ -284,6 +284,17 @@ fn limited(folder: &Path, limit: &str, arguments: &str) -> (Option<i32>, String)
 
 #[cfg(target_os = "linux")]
 #[test]
+fn short_memory_is_the_machine_s_fault() {
+    let folder = folder();
+    let (status, said) = limited(folder.path(), "ulimit -v 600000", "run mpm --grid 9000");
+    assert_eq!(status, Some(3), "{said}");
+    let refused = "a field of shape [9000, 9000] needs 972000000 bytes, which the system refuses";
+    assert_eq!(said, format!("error: scene `mpm88`: {refused}; take fewer particles or a coarser grid\n"));
+    assert_eq!(names(folder.path()), ["file"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
 fn a_full_disk_is_the_machine_s_fault() {
     let folder = folder();
     let out = folder.path().join("out");

@@ -318,7 +318,7 @@ fn random(state: &mut u64) -> f64 {
 #[cfg(unix)]
 #[test]
 fn a_run_that_is_killed_twenty_times_ends_as_the_uninterrupted_one() {
-    const PLAN: &[&str] = &["--steps", "240", "--every", "60", "--checkpoint-every", "20"];
+    const PLAN: &[&str] = &["--steps", "240", "--every", "120", "--checkpoint-every", "30"];
     let folder = tempfile::tempdir().unwrap();
     let whole = folder.path().join("whole");
     let start = Instant::now();

@@ -70,7 +70,8 @@ impl std::error::Error for LabError {}
 
 impl From<SceneError> for LabError {
     fn from(error: SceneError) -> Self {
-        Self::usage(error.to_string())
+        let message = error.to_string();
+        if error.is_memory() { Self::machine(message) } else { Self::usage(message) }
     }
 }
 
