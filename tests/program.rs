@@ -280,3 +280,14 @@ fn completions_are_there_for_all_shells() {
         assert!(script.contains("allotrope") && script.contains("checkpoint-every"), "{shell}");
     }
 }
+
+#[test]
+fn a_run_goes_on_without_a_film_where_ffmpeg_is_not_installed() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_allotrope"));
+    let output = command.args(moment(&out, &["--mp4"])).env("PATH", folder.path()).output().unwrap();
+    let note = "note: `ffmpeg` is not installed, and so there is no `animation.mp4`; `--gif` needs no other program\n";
+    assert_eq!((output.status.code(), String::from_utf8(output.stderr).unwrap().as_str()), (Some(0), note));
+    assert!(names(&out).contains(&"sheet.png".to_string()));
+}

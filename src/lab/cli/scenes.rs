@@ -169,3 +169,43 @@ pub(super) fn fit(solver: &'static SolverInfo, scene: &Scene) -> Vec<&'static st
     let names = solver.layouts.iter().map(|layout| layout.name);
     names.filter(|layout| (solver.unfit)(scene, layout).is_none()).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use allotrope_solvers::{Built, LayoutInfo, SceneError};
+
+    use super::*;
+
+    fn no_build(scene: &Scene, _layout: &str) -> Built {
+        Err(SceneError::new(&*scene.file, "is not built here"))
+    }
+
+    fn unfit(scene: &Scene, layout: &str) -> Option<&'static str> {
+        (scene.dimensions == 2 && layout != "soa").then_some("a plane is not stored in blocks")
+    }
+
+    const SOLVER: SolverInfo = SolverInfo {
+        name: "mpm",
+        about: "",
+        scenes: &[],
+        layouts: &[LayoutInfo { name: "blocked", about: "" }, LayoutInfo { name: "soa", about: "" }],
+        unfit,
+        build: no_build,
+    };
+
+    #[test]
+    fn a_layout_that_does_not_fit_is_refused_with_the_reason() {
+        static OF: SolverInfo = SOLVER;
+        static NONE: SolverInfo = SolverInfo { unfit: |_, _| Some("nothing fits"), ..SOLVER };
+        let mpm = allotrope_solvers::solver("mpm").unwrap();
+        let (plane, space) = (mpm.scene("mpm88").unwrap(), mpm.scene("bunny").unwrap());
+        assert_eq!((fit(&OF, &plane), fit(&OF, &space)), (vec!["soa"], vec!["blocked", "soa"]));
+        let fitting = |solver, scene, name| fitting(solver, scene, name).map_err(|error| error.to_string());
+        assert_eq!(fitting(&OF, &plane, None), Ok("soa"));
+        assert_eq!(fitting(&OF, &space, Some("blocked")), Ok("blocked"));
+        let why =
+            "layout `blocked` does not fit scene `mpm88`: a plane is not stored in blocks; those that fit are `soa`";
+        assert_eq!(fitting(&OF, &plane, Some("blocked")), Err(why.into()));
+        assert_eq!(fitting(&NONE, &plane, None), Err("no layout of `mpm` fits scene `mpm88`".into()));
+    }
+}

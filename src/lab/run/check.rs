@@ -108,6 +108,8 @@ fn number(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use allotrope_solvers::SceneInfo;
+
     use super::*;
 
     /// Looks at the mass and the height of a fluid.
@@ -193,9 +195,25 @@ mod tests {
 
     #[test]
     fn a_scene_without_a_check_says_so() {
-        let solver = allotrope_solvers::solver("mpm").unwrap();
-        let error = gate(solver, "my.toml").unwrap_err();
-        assert_eq!(error.status(), 2);
-        assert!(error.to_string().starts_with("scene `my.toml` has no check; "), "{error}");
+        fn fall(_scene: &Scene) -> Box<dyn Watch> {
+            Box::new(Fall { looks: Vec::new(), mass: 0.0, bound: 1.0 })
+        }
+        const fn scene(name: &'static str, gate: Option<Gate>) -> SceneInfo {
+            SceneInfo { name, about: "", text: "", gate }
+        }
+        const SOME: &[SceneInfo] = &[scene("pool", None), scene("dam", Some(fall)), scene("disk", Some(fall))];
+        const NONE: &[SceneInfo] = &[scene("pool", None)];
+        let mpm = allotrope_solvers::solver("mpm").unwrap();
+        let with =
+            |scenes| SolverInfo { name: "mpm", about: "", scenes, layouts: &[], unfit: mpm.unfit, build: mpm.build };
+        let some = with(SOME);
+        assert_eq!(gate(&some, "disk").unwrap()(&mpm.scene("mpm88").unwrap()).steps(), 5);
+        for name in ["pool", "my.toml"] {
+            let error = gate(&some, name).unwrap_err();
+            let wanted = format!("scene `{name}` has no check; those that have one are `dam`, `disk`");
+            assert_eq!((error.status(), error.to_string()), (2, wanted));
+        }
+        let error = gate(&with(NONE), "pool").unwrap_err();
+        assert_eq!(error.to_string(), "scene `pool` has no check; no scene of `mpm` has one");
     }
 }

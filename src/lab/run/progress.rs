@@ -138,18 +138,23 @@ impl Reporter {
         }
         if self.progress == Progress::Json {
             let line = serde_json::to_string(event).map_err(|error| LabError::failure(error.to_string()))?;
-            return output::print(&format!("{line}\n"));
+            return self.print(&format!("{line}\n"));
         }
         match event {
-            Event::Start { text, .. } | Event::End { text, .. } => output::print(text),
+            Event::Start { text, .. } | Event::End { text, .. } => self.print(text),
             Event::Frame { step, steps, file, .. } if self.progress == Progress::Plain => {
-                output::print(&format!("step {step} of {steps}: {}\n", file.display()))
+                self.print(&format!("step {step} of {steps}: {}\n", file.display()))
             }
             Event::Checkpoint { step, file, .. } if self.progress == Progress::Plain => {
-                output::print(&format!("checkpoint after step {step}: {}\n", file.display()))
+                self.print(&format!("checkpoint after step {step}: {}\n", file.display()))
             }
             _ => Ok(()),
         }
+    }
+
+    /// Prints a text, where the bar does not stand in its way.
+    fn print(&self, text: &str) -> Result<(), LabError> {
+        self.bar.suspend(|| output::print(text))
     }
 }
 
