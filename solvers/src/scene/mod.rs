@@ -3,10 +3,15 @@
 mod body;
 mod camera;
 mod contact;
+mod difference;
 mod error;
 mod folder;
 mod keys;
 mod material;
+mod memory;
+mod region;
+mod sizes;
+mod sources;
 mod transfer;
 
 use std::path::Path;
@@ -18,9 +23,9 @@ pub use error::SceneError;
 pub use folder::Folder;
 use keys::Keys;
 pub use material::Material;
+pub use memory::available_memory;
+use sources::Sources;
 pub use transfer::{Forces, Scheme, Spline, Transfer};
-
-use crate::mpm::materials::Model;
 
 /// The version of the schema.
 const VERSION: i64 = 1;
@@ -28,8 +33,8 @@ const VERSION: i64 = 1;
 /// More particles than this are refused, before memory is asked for.
 pub(crate) const MOST_PARTICLES: usize = 1 << 25;
 
-/// A grid of more nodes is refused too.
-const MOST_NODES: usize = 1 << 28;
+/// Axes of more nodes are refused.
+const LONGEST: i64 = 1 << 15;
 
 /// A scene, read and checked. Lengths are metres, times seconds; vectors have a third component of zero in 2D.
 #[derive(Clone, Debug)]
@@ -72,6 +77,9 @@ pub struct Scene {
     pub steps: u64,
     /// What it holds.
     pub bodies: Vec<Body>,
+    /// The scene as one TOML text, its keys in alphabetical order: with what it includes and what was overridden, and
+    /// with another grid or number of particles, if there are.
+    pub text: String,
 }
 
 /// The particles with which a scene starts.
@@ -100,8 +108,14 @@ const KEYS: &[&str] = &[
     "wall",
     "reorder",
     "steps",
+    "include",
     "material",
+    "transfer",
+    "walls",
+    "camera",
+    "seed",
     "body",
+    "collider",
 ];
 
 impl Scene {
@@ -110,11 +124,20 @@ impl Scene {
     /// # Errors
     /// One line that names file, key and value.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
+        Self::load_with(path, &[])
+    }
+
+    /// Reads a scene from a file, and replaces values of it: `dt=1e-4`, `body.0.velocity=[1, 0]`. Each is the path of a
+    /// key, with numbers in lists from zero on, and a value in TOML; a bare word is a text.
+    ///
+    /// # Errors
+    /// One line that names file, key and value, and the override that it comes from.
+    pub fn load_with(path: &Path, overrides: &[String]) -> Result<Self, SceneError> {
         let file = path.display().to_string();
         let bytes = std::fs::read(path).map_err(|error| SceneError::new(&*file, format!("cannot be read: {error}")))?;
         let text = String::from_utf8(bytes).map_err(|_| SceneError::new(&*file, "is not a text in UTF-8"))?;
         let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
-        Self::parse(&text, &file, Folder::Path(folder))
+        Self::parse_with(&text, &file, Folder::Path(folder), overrides)
     }
 
     /// Reads a scene from its text. `file` is its name in messages; files that it names are looked for in `folder`.
@@ -122,12 +145,20 @@ impl Scene {
     /// # Errors
     /// One line that names file, key and value.
     pub fn parse(text: &str, file: &str, folder: Folder) -> Result<Self, SceneError> {
-        let table: toml::Table = text.parse().map_err(|error: toml::de::Error| {
-            let line = error.span().map_or(1, |span| text[..span.start.min(text.len())].lines().count().max(1));
-            let message = error.message().split_whitespace().collect::<Vec<_>>().join(" ");
-            SceneError::new(file, format!("line {line} is not TOML: {message}"))
-        })?;
-        let keys = Keys::new(file, String::new(), &table, KEYS)?;
+        Self::parse_with(text, file, folder, &[])
+    }
+
+    /// Reads a scene from its text, and replaces values of it as [`load_with`](Self::load_with) does.
+    ///
+    /// # Errors
+    /// One line that names file, key and value, and the override that it comes from.
+    pub fn parse_with(text: &str, file: &str, folder: Folder, overrides: &[String]) -> Result<Self, SceneError> {
+        let sources = Sources::read(text, file, &folder, overrides)?;
+        Self::read(&sources.table, file, &folder).map_err(|error| sources.with_origin(error))
+    }
+
+    fn read(table: &toml::Table, file: &str, folder: &Folder) -> Result<Self, SceneError> {
+        let keys = Keys::new(file, String::new(), table, KEYS)?;
         if keys.whole("version", i64::MIN, i64::MAX)? != Some(VERSION) {
             return Err(keys.fault("version", format!("must be there and {VERSION}, the version of the schema")));
         }
@@ -136,20 +167,26 @@ impl Scene {
             return Err(keys.fault("dimensions", "is missing; write `dimensions = 2` or `dimensions = 3`"));
         };
         let dimensions = dimensions as usize;
-        let wall = keys.whole("wall", 3, 64)?.unwrap_or(3) as usize;
-        let grid = keys.extents("grid", dimensions, 2 * wall as i64 + 4, 1 << 15)?;
-        if grid.iter().product::<usize>() > MOST_NODES {
-            return Err(keys.fault("grid", "has more than 2^28 nodes"));
-        }
+        let transfer = keys.table("transfer", transfer::KEYS)?;
+        let transfer = transfer.map(|keys| Transfer::read(&keys, dimensions)).transpose()?.unwrap_or_default();
+        // All nodes of a particle that has come to rest belong to the wall.
+        let least = transfer.spline.width().max(3);
+        let wall = keys.whole("wall", least as i64, 64)?.map_or(least, |wall| wall as usize);
+        let grid = keys.extents("grid", dimensions, 2 * wall as i64 + 4, LONGEST)?;
+        sizes::check_nodes(grid, dimensions, transfer.scheme).map_err(|fault| keys.fault("grid", fault))?;
         let spacing = if keys.has("spacing") { keys.positive("spacing", "0.5")? } else { 0.5 };
         if !(0.05..=1.0).contains(&spacing) {
             return Err(
                 keys.fault("spacing", "is not from 0.05 to 1 cell; fewer than one particle a cell tears the fluid")
             );
         }
-        let Some(material) = keys.table("material", &["stiffness", "density"])? else {
-            return Err(keys.fault("material", "is missing; write a table `[material]` with `stiffness` and `density`"));
-        };
+        let materials = material::read(&keys)?;
+        let walls = keys.table("walls", contact::WALLS)?;
+        let camera = keys.table("camera", camera::KEYS)?;
+        if camera.is_some() && dimensions == 2 {
+            return Err(keys.fault("camera", "is for `dimensions = 3`; the whole of a plane is seen"));
+        }
+        let seed = keys.whole("seed", 0, i64::MAX)?.unwrap_or(0) as u64;
         let scene = Self {
             file: file.to_string(),
             about: keys.text("about")?.unwrap_or_default().to_string(),
@@ -161,28 +198,37 @@ impl Scene {
             gravity: keys.vector("gravity", dimensions)?.unwrap_or_default(),
             spacing,
             wall,
-            materials: vec![Material {
-                name: "fluid".into(),
-                density: material.positive("density", "1.0")?,
-                model: Model::Fluid { stiffness: material.positive("stiffness", "400.0")? as f32 },
-            }],
-            transfer: Transfer::default(),
-            walls: Walls::default(),
-            colliders: Vec::new(),
-            camera: CameraPlace::default(),
-            seed: 0,
+            transfer,
+            walls: walls.map(|keys| contact::read_walls(&keys, dimensions)).transpose()?.unwrap_or_default(),
+            colliders: keys
+                .all_tables("collider")?
+                .iter()
+                .map(|keys| Collider::read(keys, dimensions, folder))
+                .collect::<Result<_, _>>()?,
+            camera: camera.map(|keys| CameraPlace::read(&keys)).transpose()?.unwrap_or_default(),
+            seed,
             reorder: keys.whole("reorder", 0, i64::MAX)?.unwrap_or(0) as u64,
             steps: keys.whole("steps", 1, i64::MAX)?.unwrap_or(1000) as u64,
             bodies: keys
-                .tables("body", body::KEYS)?
+                .all_tables("body")?
                 .iter()
-                .map(|keys| Body::read(keys, dimensions, &folder))
+                .enumerate()
+                .map(|(n, keys)| Body::read(keys, dimensions, &materials, seed + n as u64, folder))
                 .collect::<Result<_, _>>()?,
+            materials,
+            text: table.to_string(),
         };
         if scene.bodies.is_empty() {
-            return Err(keys.fault("body", "is missing; write a table `[[body]]` for each body of fluid"));
+            return Err(keys.fault("body", "is missing; write a table `[[body]]` for each body"));
         }
         Ok(scene)
+    }
+
+    /// In what this scene differs from another, given by its [`text`](Self::text): the first key whose value differs,
+    /// with both values. `about`, `camera` and `steps` change nothing of what is simulated, and are not compared; nor
+    /// are files of meshes and points, beside their names.
+    pub fn difference(&self, other: &str) -> Option<String> {
+        difference::first(&self.text, other)
     }
 
     /// The side of a cell in metres.
@@ -205,77 +251,16 @@ impl Scene {
         SceneError::at(&*self.file, key, message)
     }
 
-    /// The same scene on `nodes` nodes along the first axis, and in proportion along the others. The time step is
-    /// changed in proportion to the cell, so that the Courant number stays.
-    ///
-    /// # Errors
-    /// If an axis becomes too short for its walls, or the grid too large.
-    pub fn with_grid(mut self, nodes: usize) -> Result<Self, SceneError> {
-        let (old, least) = (self.grid[0], 2 * self.wall + 4);
-        for extent in &mut self.grid[..self.dimensions] {
-            *extent = (*extent as f64 * nodes as f64 / old as f64).round() as usize;
-        }
-        let [i, j, k] = self.grid;
-        if self.grid[..self.dimensions].iter().any(|&extent| !(least..=1 << 15).contains(&extent))
-            || i * j * k > MOST_NODES
-        {
-            let message =
-                format!("cannot be; an axis takes from {least} to {} nodes, all together at most 2^28", 1 << 15);
-            return Err(self.fault(format!("grid = {nodes}"), message));
-        }
-        self.dt *= old as f64 / nodes as f64;
-        Ok(self)
-    }
-
-    /// The same scene with `count` particles: exactly so many where they are drawn at random, about so many where they
-    /// lie on a lattice, whose spacing is changed.
-    ///
-    /// # Errors
-    /// If the spacing would leave its bounds, or positions are given one by one.
-    pub fn with_particles(mut self, count: usize) -> Result<Self, SceneError> {
-        let key = format!("particles = {count}");
-        if count == 0 || count > MOST_PARTICLES {
-            return Err(self.fault(key, format!("is not from 1 to {MOST_PARTICLES}")));
-        }
-        let random = |body: &Body| match &body.shape {
-            Shape::Box { fill: Fill::Random { particles, .. }, .. } => Some(*particles),
-            _ => None,
-        };
-        let drawn: Vec<usize> = self.bodies.iter().filter_map(random).collect();
-        if self.bodies.iter().any(|body| matches!(body.shape, Shape::Points(_))) {
-            return Err(self.fault(key, "cannot be, since the scene gives its particles one by one"));
-        }
-        if drawn.len() == self.bodies.len() {
-            let total: usize = drawn.iter().sum();
-            let mut left = count;
-            for (n, body) in self.bodies.iter_mut().enumerate() {
-                if let Shape::Box { fill: Fill::Random { particles, .. }, .. } = &mut body.shape {
-                    let share = (*particles as f64 / total as f64 * count as f64).round() as usize;
-                    *particles = if n + 1 == drawn.len() { left } else { share.min(left) };
-                    left -= *particles;
-                }
-            }
-        } else if drawn.is_empty() {
-            let volume: f64 = self.bodies.iter().map(|body| body.shape.volume(self.dimensions)).sum();
-            self.spacing = (volume / count as f64).powf(1.0 / self.dimensions as f64) / self.dx();
-            if !(0.05..=1.0).contains(&self.spacing) {
-                let message = format!(
-                    "needs a spacing of {:.3} cells, which is not from 0.05 to 1; change the grid too",
-                    self.spacing
-                );
-                return Err(self.fault(key, message));
-            }
-        } else {
-            return Err(self.fault(key, "cannot be, since the scene has both random and regular bodies"));
-        }
-        Ok(self)
-    }
-
     /// The particles with which the scene starts, body after body.
     ///
     /// # Errors
-    /// If a particle lies outside the domain, or there are none, or too many.
+    /// If a particle lies outside the domain, or there are none, or too many for the machine's memory.
     pub fn particles(&self) -> Result<Particles, SceneError> {
+        if let Some(available) = available_memory() {
+            let bodies = self.bodies.iter();
+            let estimate: f64 = bodies.map(|body| body.shape.estimate(self.spacing * self.dx(), self.dimensions)).sum();
+            self.check_memory((estimate as usize).min(MOST_PARTICLES), available)?;
+        }
         let mut particles = Particles::default();
         for (n, body) in self.bodies.iter().enumerate() {
             let key = format!("body[{n}]");
@@ -289,14 +274,13 @@ impl Scene {
                 return Err(self.fault(key, "holds no particle; make it larger, or `spacing` smaller"));
             }
             if let Some(p) = positions.iter().position(|&x| !self.contains(x)) {
-                let dx = self.dx();
-                let upper: Vec<_> =
-                    self.grid[..self.dimensions].iter().map(|&n| format!("{:.4}", (n as f64 - 1.5) * dx)).collect();
+                let (dx, (first_node, last_node)) = (self.dx(), self.reach());
+                let upper: Vec<_> = last_node[..self.dimensions].iter().map(|&n| format!("{:.4}", n * dx)).collect();
                 let message = format!(
                     "puts particle {} at {} outside the domain, which reaches from {:.4} on each axis to ({})",
                     first + p,
                     place(positions[p], self.dimensions),
-                    0.5 * dx,
+                    first_node * dx,
                     upper.join(", ")
                 );
                 return Err(self.fault(key, message));
@@ -306,12 +290,22 @@ impl Scene {
         Ok(particles)
     }
 
-    /// Whether the 3 nodes an axis around a particle are all in the grid, in the arithmetic of the kernels.
+    /// Between which coordinates, in cells, all nodes of a particle are in the grid: a particle's first node is
+    /// `floor(x - offset)`, where the offset is half of what the spline is wider than a cell.
+    fn reach(&self) -> (f64, [f64; 3]) {
+        let width = self.transfer.spline.width();
+        let offset = 0.5 * (width - 2) as f64;
+        (offset, self.grid.map(|nodes| nodes as f64 + 1.0 - width as f64 + offset))
+    }
+
+    /// Whether the nodes around a particle are all in the grid, in the arithmetic of the kernels.
     fn contains(&self, x: [f64; 3]) -> bool {
         let inv_dx = (1.0 / self.dx()) as f32;
+        let width = self.transfer.spline.width();
+        let offset = 0.5 * (width - 2) as f32;
         (0..self.dimensions).all(|axis| {
-            let base = x[axis] as f32 * inv_dx - 0.5;
-            base >= 0.0 && base < self.grid[axis] as f32 - 2.0
+            let base = x[axis] as f32 * inv_dx - offset;
+            base >= 0.0 && base < (self.grid[axis] + 1 - width) as f32
         })
     }
 }

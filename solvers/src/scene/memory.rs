@@ -1,0 +1,90 @@
+//! How much memory a scene takes, and how much there is.
+
+use super::{Scene, SceneError, Scheme, Wall};
+use crate::mpm::materials::Model;
+
+impl Scene {
+    /// Bytes that a simulation with so many particles takes while it is built, about.
+    ///
+    /// A particle of `d` dimensions holds, in words of 4 bytes, its position (`d`), mass, material, deformation gradient
+    /// and stress (`d^2` each) and two numbers of plasticity, and by the scheme its velocity (`d`), with APIC the
+    /// velocity's gradient too (`d^2`), or with PolyPIC the coefficients of all modes (`d 3^d`); a fluid alone, with the
+    /// default transfer and walls, only `2 d + d^2 + 1`. To this come 4 bytes for its number and 124 for the position,
+    /// velocity and gradient with which it starts. A node holds momentum and mass, `d + 1` words, and with FLIP the
+    /// momentum before, `d` more.
+    pub fn estimated_bytes(&self, particles: usize) -> u64 {
+        particles as u64 * (4 * self.particle_words() + 4 + 124) + self.grid_bytes()
+    }
+
+    fn particle_words(&self) -> u64 {
+        let d = self.dimensions as u64;
+        let fluid = matches!(self.materials[..], [ref only] if matches!(only.model, Model::Fluid { .. }));
+        let plain = self.walls.iter().flatten().all(|wall| *wall == Wall::default()) && self.colliders.is_empty();
+        if fluid && plain && self.transfer == super::Transfer::default() {
+            return 2 * d + d * d + 1;
+        }
+        let velocity = match self.transfer.scheme {
+            Scheme::Pic | Scheme::Flip { .. } => d,
+            Scheme::Apic => d + d * d,
+            Scheme::PolyPic { .. } => d * 3u64.pow(d as u32),
+        };
+        d + velocity + 2 * d * d + 4
+    }
+
+    fn grid_bytes(&self) -> u64 {
+        let nodes = self.grid.iter().map(|&nodes| nodes as u64).product::<u64>();
+        nodes * node_bytes(self.dimensions, self.transfer.scheme)
+    }
+
+    /// Refuses a grid or particles that do not fit into `available` bytes.
+    ///
+    /// # Errors
+    /// Tells the sizes in GiB.
+    pub fn check_memory(&self, particles: usize, available: u64) -> Result<(), SceneError> {
+        let [i, j, k] = self.grid;
+        let size = if self.dimensions == 2 { format!("{i} x {j}") } else { format!("{i} x {j} x {k}") };
+        let (grid, all) = (self.grid_bytes(), self.estimated_bytes(particles));
+        if grid > available {
+            let message = format!(
+                "takes {} for its {} nodes, and {} are available; take a coarser grid",
+                gibibytes(grid as f64),
+                i * j * k,
+                gibibytes(available as f64)
+            );
+            return Err(self.fault(format!("grid = {size}"), message));
+        }
+        if all > available {
+            let message = format!(
+                "makes {particles} particles, which take {} beside the grid's {}, and {} are available; make the bodies \
+                 smaller or `spacing` larger",
+                gibibytes((all - grid) as f64),
+                gibibytes(grid as f64),
+                gibibytes(available as f64)
+            );
+            return Err(self.fault("body", message));
+        }
+        Ok(())
+    }
+}
+
+/// Bytes of a node.
+pub(super) fn node_bytes(dimensions: usize, scheme: Scheme) -> u64 {
+    let d = dimensions as u64;
+    4 * if matches!(scheme, Scheme::Flip { .. }) { 2 * d + 1 } else { d + 1 }
+}
+
+/// A size for a message.
+pub(super) fn gibibytes(bytes: f64) -> String {
+    format!("{:.2} GiB", bytes / 1024f64.powi(3))
+}
+
+/// Bytes of memory that can be had without taking them from other programs, where the system tells (Linux).
+pub fn available_memory() -> Option<u64> {
+    available_of(&std::fs::read_to_string("/proc/meminfo").ok()?)
+}
+
+/// The line `MemAvailable:   24068212 kB` of a text such as `/proc/meminfo`, in bytes.
+fn available_of(text: &str) -> Option<u64> {
+    let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
+    line.split_whitespace().next()?.parse::<u64>().ok()?.checked_mul(1024)
+}
