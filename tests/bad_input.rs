@@ -51,10 +51,7 @@ const COMMAND_LINES: &[Case] = &[
     ),
     wrong("run mpm --steps 0", "invalid value `0` for `--steps <N>`: it must be at least 1"),
     wrong("run mpm --particles 99999999999", "scene `mpm88`: `particles = 99999999999` is not from 1 to 33554432"),
-    wrong(
-        "bench mpm --grid 3",
-        "scene `mpm88`: `grid = 3` cannot be; an axis takes from 10 to 32768 nodes, all together at most 2^28",
-    ),
+    wrong("bench mpm --grid 3", "scene `mpm88`: `grid = 3` cannot be; an axis takes from 10 to 32768 nodes"),
     wrong("run mpm --shading colour", "there is no shading `colour`; known are `velocity`, `material`, `pressure`"),
     wrong(
         "run mpm --export obj",
@@ -74,13 +71,22 @@ const COMMAND_LINES: &[Case] = &[
         "run mpm --frames 0 --gif",
         "`--frames 0` asks for no frames, of which `--gif`, `--mp4`, `--sheet` or `--export` would be made",
     ),
-    wrong("run mpm --set dt", "`--set dt` is not of the form `KEY=VALUE`, such as `dt=1e-4`"),
-    wrong("run mpm --set dt.x=1", "`--set dt.x=1` leads into `dt`, which is a value"),
+    wrong("run mpm --set dt", "scene `mpm88`: the override `dt` is not `key=value`; write, for example, `dt=1e-4`"),
+    wrong("run mpm --set dt.x=1", "scene `mpm88`: the override `dt.x=1` goes into `dt`, which is a number"),
     wrong(
         "bench mpm --set body.7.seed=1",
-        "`--set body.7.seed=1` leads into the list `body` of 1 tables, which are counted from 0",
+        "scene `mpm88`: the override `body.7.seed=1` names no element of `body`, a list of 1; they are counted from 0, as \
+         in `body.0`",
     ),
-    wrong("run mpm --set lenght=2", "scene `mpm88`: `lenght` is not a key of a scene; did you mean `length`?"),
+    wrong(
+        "run mpm --set lenght=2",
+        "scene `mpm88`: `lenght` is not a key of a scene; did you mean `length`? (from the override `lenght=2`)",
+    ),
+    wrong(
+        "run mpm --scene bunny --elevation 90",
+        "scene `bunny`: `camera.elevation = 90.0` is not between -89 and 89 degrees, where up and down are seen (from the \
+         override `camera.elevation=90.0`)",
+    ),
     wrong("run mpm --zoom 0", "invalid value `0` for `--zoom <F>`: it must be above zero"),
     wrong("run mpm --azimuth inf", "invalid value `inf` for `--azimuth <A>`: a finite number is wanted"),
     wrong("run mpm --checkpoint-every 0", "invalid value `0` for `--checkpoint-every <N>`: it must be at least 1"),
@@ -191,6 +197,84 @@ const SCENES: &[Edit] = &[
         "bunny.obj",
         "words.obj",
         "`body[0].file = \"words.obj\"` is not a readable OBJ file: position parse error",
+    ),
+    edit(
+        POOL,
+        "version = 1",
+        "include = \"gone.toml\"\nversion = 1",
+        "`include = \"gone.toml\"` needs `gone.toml`, which cannot be read: No such file or directory (os error 2)",
+    ),
+    edit(
+        POOL,
+        "version = 1",
+        "include = \"scene.toml\"\nversion = 1",
+        "`include = \"scene.toml\"` goes round in a circle: `scene.toml`, `scene.toml`",
+    ),
+    edit(
+        POOL,
+        "stiffness = 400.0",
+        "model = \"honey\"",
+        "`material.model = \"honey\"` is no model; known are `fluid`, `neo-hookean`, `corotated`, `snow`, `sand`",
+    ),
+    edit(
+        POOL,
+        "stiffness = 400.0",
+        "model = \"snow\"\nstiffness = 400.0",
+        "`material.stiffness = 400.0` is not a key of a material of the model `snow`, which takes `young`, `poisson`, `hardening`, `compression`, `stretch`, `density`, `model`, `name`",
+    ),
+    edit(
+        POOL,
+        "stiffness = 400.0",
+        "model = \"corotated\"\nyoung = 1e3\npoisson = 0.5",
+        "`material.poisson = 0.5` must be above -1 and below 0.5, where a solid would bear no change of volume; write, for example, `poisson = 0.3`",
+    ),
+    edit(
+        POOL,
+        "shape = \"box\"",
+        "shape = \"box\"\nmaterial = \"jelly\"",
+        "`body[0].material = \"jelly\"` is not the name of a material; known are `fluid`",
+    ),
+    edit(
+        POOL,
+        "[material]",
+        "[transfer]\nscheme = \"aipc\"\n\n[material]",
+        "`transfer.scheme = \"aipc\"` is no scheme; did you mean `apic`?",
+    ),
+    edit(
+        POOL,
+        "[material]",
+        "[walls.flor]\ncontact = \"slip\"\n\n[material]",
+        "`walls.flor` is not a key of a scene; did you mean `floor`?",
+    ),
+    edit(
+        POOL,
+        "[material]",
+        "[walls]\ncontact = \"slippy\"\n\n[material]",
+        "`walls.contact = \"slippy\"` is no contact; did you mean `slip`?",
+    ),
+    edit(
+        POOL,
+        "[material]",
+        "[[collider]]\nshape = \"bal\"\n\n[material]",
+        "`collider[0].shape = \"bal\"` is no shape; did you mean `ball`?",
+    ),
+    edit(
+        POOL,
+        "[material]",
+        "[camera]\nzoom = 2.0\n\n[material]",
+        "`camera = { zoom = 2.0 }` is for `dimensions = 3`; the whole of a plane is seen",
+    ),
+    edit(
+        BUNNY,
+        "[material]",
+        "[camera]\nelevation = 90.0\n\n[material]",
+        "`camera.elevation = 90.0` is not between -89 and 89 degrees, where up and down are seen",
+    ),
+    edit(
+        POOL,
+        "seed = 88",
+        "seed = 88\naligned = true",
+        "`body[0].particles = 8192` asks for random particles, and `aligned` puts them on the grid's lattice; leave one out",
     ),
 ];
 

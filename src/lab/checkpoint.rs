@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::errors::LabError;
 use super::export::npz::{self, Npz};
 use super::output;
-use super::run::{Export, View};
+use super::run::Export;
 
 /// The version of what this module writes.
 pub const FORMAT: u32 = 1;
@@ -49,14 +49,8 @@ pub struct Header {
 /// What was asked for, so that the run goes on to the same end.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Planned {
-    /// Nodes along the first axis, where others than the scene's were asked for.
-    pub grid: Option<usize>,
-    /// The number of particles, where another than the scene's was asked for.
-    pub particles: Option<usize>,
-    /// Steps after which particles are sorted, where it was asked for.
-    pub reorder: Option<u64>,
-    /// Another view than the scene's.
-    pub view: View,
+    /// Steps after which particles are sorted; zero: never.
+    pub reorder: u64,
     /// Steps to take, from the start on.
     pub steps: u64,
     /// Steps from one frame to the next.
@@ -122,7 +116,7 @@ impl Checkpoint {
             let here: serde_json::Value = here;
             if value[key] != here {
                 let why = format!(
-                    "does not fit: `{key}` is {} there and {here} here; go on with the program that wrote it",
+                    "does not fit: `{key}` is {here} here and {} there; go on with the program that wrote it",
                     value[key]
                 );
                 return Err(fault(&why));
@@ -137,7 +131,7 @@ impl Checkpoint {
     /// That something here differs from what the checkpoint says.
     pub fn differs(&self, key: &str, there: &str, here: &str) -> LabError {
         LabError::usage(format!(
-            "checkpoint `{}` does not fit: `{key}` is {there} there and {here} here; leave out what was not asked for \
+            "checkpoint `{}` does not fit: `{key}` is {here} here and {there} there; leave out what was not asked for \
              then, or start anew without `--resume`",
             self.path.display()
         ))
@@ -154,7 +148,7 @@ impl Checkpoint {
             let known = self.arrays.arrays.iter().find(|(known, ..)| known == name);
             let (_, there, values) = known.ok_or_else(|| fault(format!("array `{name}` is missing")))?;
             if *there != components {
-                let why = format!("array `{name}` has {there} values an element there and {components} here");
+                let why = format!("array `{name}` has {components} values an element here and {there} there");
                 return Err(fault(why));
             }
             Ok(Array { name, components, values: values.clone() })

@@ -8,7 +8,6 @@ pub mod export;
 pub mod list;
 pub mod machine;
 pub mod output;
-pub mod overrides;
 pub mod render;
 pub mod run;
 pub mod scene;

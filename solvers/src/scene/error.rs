@@ -17,13 +17,18 @@ impl SceneError {
         Self { file: file.into(), key: None, message: message.into(), memory: false }
     }
 
-    /// That the machine refuses the memory for a scene, which is no fault of the scene.
+    /// That the machine refuses the memory for a scene.
     pub(crate) fn memory(file: impl Into<String>, message: impl fmt::Display) -> Self {
-        let message = format!("{message}; take fewer particles or a coarser grid");
-        Self { file: file.into(), key: None, message, memory: true }
+        Self::new(file, format!("{message}; take fewer particles or a coarser grid")).of_memory()
     }
 
-    /// Whether the machine refuses the memory.
+    /// The same, but as a lack of memory.
+    pub(super) fn of_memory(mut self) -> Self {
+        self.memory = true;
+        self
+    }
+
+    /// Whether the machine lacks the memory, which is no fault of the scene.
     pub fn is_memory(&self) -> bool {
         self.memory
     }

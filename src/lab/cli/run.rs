@@ -6,14 +6,13 @@ use allotrope_solvers::scene::Folder;
 use allotrope_solvers::{Scene, SolverInfo};
 use clap::{Args, ValueEnum};
 
-use super::scenes::{self, Named, SceneArguments};
+use super::scenes::{self, SceneArguments};
 use super::values;
 use crate::lab::checkpoint::{Checkpoint, Planned};
 use crate::lab::errors::LabError;
 use crate::lab::machine::NamedSchedule;
-use crate::lab::overrides;
 use crate::lab::render::Shading;
-use crate::lab::run::{self, Calendar, Export, Outputs, Plan, Progress, Sizes, View, check};
+use crate::lab::run::{self, Calendar, Export, Outputs, Plan, Progress, check};
 
 /// The folder for files, if none is asked for.
 const OUT: &str = "allotrope-out";
@@ -135,8 +134,10 @@ impl RunArguments {
         check::check(&mut *simulation, &mut *gate(&scene), schedule, self.progress, self.quiet)
     }
 
-    fn view(&self) -> View {
-        View { azimuth: self.azimuth, elevation: self.elevation, zoom: self.zoom }
+    /// What is set of the scene by options of their own.
+    fn camera(&self) -> Vec<String> {
+        let turns = [("azimuth", self.azimuth), ("elevation", self.elevation), ("zoom", self.zoom)];
+        turns.into_iter().filter_map(|(key, value)| Some(format!("camera.{key}={:?}", value?))).collect()
     }
 
     fn sheet(&self) -> Option<bool> {
@@ -151,10 +152,7 @@ impl RunArguments {
     fn fresh(&self) -> Result<Plan, LabError> {
         let solver = self.solver()?;
         let name = self.what.name(solver);
-        let sizes = self.what.sizes();
-        let Named { scene, text } = self.what.unsized_scene(solver, name)?;
-        let view = self.view();
-        let scene = view.of(scenes::sized(scene, sizes)?);
+        let scene = self.what.scene_with(solver, &self.camera())?;
         let layout = scenes::fitting(solver, &scene, self.layout.as_deref())?;
         let steps = self.what.steps.unwrap_or(scene.steps);
         let export = self.export();
@@ -172,9 +170,6 @@ impl RunArguments {
             solver,
             scene_folder: scenes::folder(solver, name)?,
             scene,
-            scene_text: text,
-            sizes,
-            view,
             layout,
             schedule: self.schedule()?,
             threads: self.what.threads,
@@ -202,9 +197,7 @@ impl RunArguments {
         agree("layout", &header.layout, self.layout.as_deref())?;
         self.agrees(there, &agree)?;
         let solver = allotrope_solvers::solver(&header.solver).map_err(LabError::usage)?;
-        let sizes = Sizes { grid: there.grid, particles: there.particles, reorder: there.reorder };
-        let view = there.view;
-        let scene = view.of(scenes::sized(self.same_scene(solver, checkpoint)?, sizes)?);
+        let scene = self.same_scene(solver, checkpoint)?;
         let steps = self.what.steps.unwrap_or(there.steps);
         if steps < header.steps_done {
             return Err(LabError::usage(format!(
@@ -218,9 +211,6 @@ impl RunArguments {
             scene_folder: header.folder.clone(),
             layout: scenes::fitting(solver, &scene, Some(&header.layout))?,
             scene,
-            scene_text: checkpoint.scene.clone(),
-            sizes,
-            view,
             schedule: NamedSchedule::find(&there.schedule).map_err(LabError::usage)?,
             threads: self.what.threads.or(there.threads),
             deterministic: there.deterministic,
@@ -247,22 +237,7 @@ impl RunArguments {
         agree: &dyn Fn(&str, &str, Option<&str>) -> Result<(), LabError>,
     ) -> Result<(), LabError> {
         let number = |value: Option<u64>| value.map_or("not set".to_string(), |value| value.to_string());
-        let size = |value: Option<usize>| value.map(|value| value as u64);
-        for (key, there, here) in [
-            ("grid", size(there.grid), size(self.what.grid)),
-            ("particles", size(there.particles), size(self.what.particles)),
-            ("reorder", there.reorder, self.what.reorder),
-        ] {
-            agree(key, &number(there), here.map(|here| here.to_string()).as_deref())?;
-        }
-        let turn = |value: Option<f64>| value.map_or("not set".to_string(), |value| value.to_string());
-        for (key, there, here) in [
-            ("azimuth", there.view.azimuth, self.azimuth),
-            ("elevation", there.view.elevation, self.elevation),
-            ("zoom", there.view.zoom, self.zoom),
-        ] {
-            agree(key, &turn(there), here.map(|here| here.to_string()).as_deref())?;
-        }
+        agree("reorder", &there.reorder.to_string(), self.what.reorder.map(|here| here.to_string()).as_deref())?;
         let pictures = match (self.every, self.frames) {
             (Some(every), _) => Some(Some(every)),
             (None, Some(0)) => Some(None),
@@ -277,19 +252,34 @@ impl RunArguments {
         agree("export", &listed(&there.export), export.as_deref())
     }
 
-    /// The scene of the checkpoint in its own size; one that is asked for too must be the same.
+    /// The scene of the checkpoint; what is asked for too must be the same.
     fn same_scene(&self, solver: &SolverInfo, checkpoint: &Checkpoint) -> Result<Scene, LabError> {
         let header = &checkpoint.header;
-        let folder = || header.folder.clone().map_or(Folder::BuiltIn, Folder::Path);
-        let asked = match &self.what.scene {
-            Some(name) => Some(self.what.unsized_scene(solver, name)?),
-            None if self.what.set.is_empty() => None,
-            None => Some(Named::parse(&checkpoint.scene, &header.scene, folder(), &self.what.set)?),
+        let read = |set: &[String]| {
+            let folder = header.folder.clone().map_or(Folder::BuiltIn, Folder::Path);
+            Scene::parse_with(&checkpoint.scene, &header.scene, folder, set)
         };
-        match asked.and_then(|asked| overrides::difference(&checkpoint.scene, &asked.text)) {
-            Some(difference) => Err(self.other_scene(checkpoint, &difference)),
-            None => Ok(Named::parse(&checkpoint.scene, &header.scene, folder(), &[])?.scene),
+        let mut there = read(&[])?;
+        let camera = self.camera();
+        let here = match &self.what.scene {
+            Some(_) => self.what.scene_with(solver, &camera)?,
+            None => self.what.sized(read(&[&self.what.set[..], &camera].concat())?)?,
+        };
+        if let Some(difference) = here.difference(&checkpoint.scene) {
+            return Err(self.other_scene(checkpoint, &difference));
         }
+        // From where it is looked at is no part of the scene, but of its pictures.
+        for (key, asked, there) in [
+            ("azimuth", self.azimuth, there.camera.azimuth),
+            ("elevation", self.elevation, there.camera.elevation),
+            ("zoom", self.zoom, there.camera.zoom),
+        ] {
+            if let Some(here) = asked.filter(|here| *here != there) {
+                return Err(checkpoint.differs(key, &there.to_string(), &here.to_string()));
+            }
+        }
+        there.reorder = header.plan.reorder;
+        Ok(there)
     }
 
     fn other_scene(&self, checkpoint: &Checkpoint, difference: &str) -> LabError {

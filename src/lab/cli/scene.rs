@@ -5,8 +5,7 @@ use std::path::PathBuf;
 use allotrope_solvers::solvers;
 use clap::{Args, Subcommand};
 
-use super::examples;
-use super::scenes::Named;
+use super::{examples, scenes};
 use crate::lab::errors::LabError;
 use crate::lab::{output, scene};
 
@@ -52,7 +51,7 @@ impl SceneCommand {
 impl ShowArguments {
     fn execute(self) -> Result<(), LabError> {
         let of = solvers().iter().find(|solver| solver.scenes.iter().any(|scene| scene.name == self.scene));
-        let named = Named::read(of.unwrap_or(&solvers()[0]), &self.scene, &self.set)?;
-        output::print(&format!("{}\n", named.text.trim_end()))
+        let scene = scenes::named(of.unwrap_or(&solvers()[0]), &self.scene, &self.set)?;
+        output::print(&format!("{}\n", scene.text.trim_end()))
     }
 }

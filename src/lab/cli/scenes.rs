@@ -8,8 +8,6 @@ use clap::Args;
 
 use super::values;
 use crate::lab::errors::LabError;
-use crate::lab::overrides;
-use crate::lab::run::Sizes;
 
 /// More particles than this are sorted by cell unless the command says otherwise: grid and particles no longer fit into
 /// a core's second cache, and a scattered access costs more than the sort does.
@@ -52,24 +50,35 @@ impl SceneArguments {
         self.scene.as_deref().unwrap_or(solver.scenes[0].name)
     }
 
-    /// Other sizes than the scene's.
-    pub(super) fn sizes(&self) -> Sizes {
-        Sizes { grid: self.grid, particles: self.particles, reorder: self.reorder }
-    }
-
-    /// The scene as it was asked for, in its size.
+    /// The scene as it was asked for.
     pub(super) fn scene(&self, solver: &SolverInfo) -> Result<Scene, LabError> {
-        sized(self.unsized_scene(solver, self.name(solver))?.scene, self.sizes())
+        self.scene_with(solver, &[])
     }
 
-    /// The scene of that name for a solver in its own size, with what is set of it.
-    pub(super) fn unsized_scene(&self, solver: &SolverInfo, name: &str) -> Result<Named, LabError> {
-        let named = Named::read(solver, name, &self.set)?;
-        if named.scene.solver == solver.name {
-            return Ok(named);
+    /// The scene as it was asked for, with more values that are set.
+    pub(super) fn scene_with(&self, solver: &SolverInfo, more: &[String]) -> Result<Scene, LabError> {
+        let name = self.name(solver);
+        let scene = named(solver, name, &[&self.set, more].concat())?;
+        if scene.solver == solver.name {
+            return self.sized(scene);
         }
-        let of = solver_of(&named.scene)?.name;
+        let of = solver_of(&scene)?.name;
         Err(LabError::usage(format!("scene `{name}` is for the solver `{of}`, not `{}`", solver.name)))
+    }
+
+    /// A scene in the size that was asked for.
+    pub(super) fn sized(&self, mut scene: Scene) -> Result<Scene, LabError> {
+        if let Some(nodes) = self.grid {
+            scene = scene.with_grid(nodes)?;
+        }
+        if let Some(particles) = self.particles {
+            scene = scene.with_particles(particles)?;
+            if particles > SORTED_ABOVE && scene.reorder == 0 {
+                scene.reorder = SORTED_EVERY;
+            }
+        }
+        scene.reorder = self.reorder.unwrap_or(scene.reorder);
+        Ok(scene)
     }
 }
 
@@ -85,35 +94,15 @@ fn is_file(solver: &SolverInfo, name: &str) -> bool {
     !built_in && (name.contains(['/', '\\', '.']) || Path::new(name).is_file())
 }
 
-/// A scene with the text that it was read from.
-pub(super) struct Named {
-    pub(super) scene: Scene,
-    /// With what was set of it.
-    pub(super) text: String,
-}
-
-impl Named {
-    /// The scene of a built-in name or a file, with other values.
-    pub(super) fn read(solver: &SolverInfo, name: &str, set: &[String]) -> Result<Self, LabError> {
-        if let Some(info) = solver.scenes.iter().find(|scene| scene.name == name) {
-            return Self::parse(info.text, name, Folder::BuiltIn, set);
-        }
-        if !is_file(solver, name) {
-            // There is none of this name, which is told with the nearest one.
-            return Ok(Self { scene: solver.scene(name)?, text: String::new() });
-        }
-        let path = Path::new(name);
-        let fault = |why: String| LabError::usage(format!("scene `{name}`: {why}"));
-        let bytes = std::fs::read(path).map_err(|error| fault(format!("cannot be read: {error}")))?;
-        let text = String::from_utf8(bytes).map_err(|_| fault("is not a text in UTF-8".into()))?;
-        let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
-        Self::parse(&text, name, Folder::Path(folder), set)
+/// The scene of a built-in name or a file, with other values.
+pub(super) fn named(solver: &SolverInfo, name: &str, set: &[String]) -> Result<Scene, LabError> {
+    if is_file(solver, name) {
+        return Ok(Scene::load_with(Path::new(name), set)?);
     }
-
-    /// The scene of a text.
-    pub(super) fn parse(text: &str, name: &str, folder: Folder, set: &[String]) -> Result<Self, LabError> {
-        let text = overrides::merged(text, set)?;
-        Ok(Self { scene: Scene::parse(&text, name, folder)?, text })
+    match solver.scenes.iter().find(|scene| scene.name == name) {
+        Some(info) => Ok(Scene::parse_with(info.text, name, Folder::BuiltIn, set)?),
+        // There is none of this name, which is told with the nearest one.
+        None => Ok(solver.scene(name)?),
     }
 }
 
@@ -125,21 +114,6 @@ pub(super) fn folder(solver: &SolverInfo, name: &str) -> Result<Option<PathBuf>,
     let path = std::path::absolute(name)
         .map_err(|error| LabError::machine(format!("the folder of `{name}` cannot be told: {error}")))?;
     Ok(path.parent().map(Path::to_path_buf))
-}
-
-/// A scene in another size.
-pub(super) fn sized(mut scene: Scene, sizes: Sizes) -> Result<Scene, LabError> {
-    if let Some(nodes) = sizes.grid {
-        scene = scene.with_grid(nodes)?;
-    }
-    if let Some(particles) = sizes.particles {
-        scene = scene.with_particles(particles)?;
-        if particles > SORTED_ABOVE && scene.reorder == 0 {
-            scene.reorder = SORTED_EVERY;
-        }
-    }
-    scene.reorder = sizes.reorder.unwrap_or(scene.reorder);
-    Ok(scene)
 }
 
 /// The layout of that name, or the first that fits the scene.

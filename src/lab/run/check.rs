@@ -3,15 +3,12 @@
 use std::time::Instant;
 
 use allotrope::Schedule;
-use allotrope_solvers::{Finding, Scene, Simulation, SolverInfo, Watch};
+use allotrope_solvers::{Finding, Gate, Simulation, SolverInfo, Watch};
 
 use super::progress::{Progress, Reporter};
 use crate::lab::errors::LabError;
 use crate::lab::output;
 use crate::lab::table::Table;
-
-/// Makes what watches a run of a scene.
-pub type Gate = fn(&Scene) -> Box<dyn Watch>;
 
 /// The check of a built-in scene.
 ///
@@ -108,7 +105,7 @@ fn number(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use allotrope_solvers::SceneInfo;
+    use allotrope_solvers::{Scene, SceneInfo};
 
     use super::*;
 

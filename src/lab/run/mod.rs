@@ -12,8 +12,6 @@ use allotrope::Schedule;
 use allotrope_solvers::scene::{Fill, Shape};
 use allotrope_solvers::{Scene, Simulation, SolverInfo};
 
-use serde::{Deserialize, Serialize};
-
 use super::checkpoint::{self, Checkpoint, Header, Planned};
 use super::errors::LabError;
 use super::machine::{self, NamedSchedule};
@@ -32,14 +30,8 @@ pub struct Plan {
     pub solver: &'static SolverInfo,
     /// The scene.
     pub scene: Scene,
-    /// The TOML that it was read from.
-    pub scene_text: String,
     /// The folder of the files that the scene names; none for the files of the built-in scenes.
     pub scene_folder: Option<PathBuf>,
-    /// Other sizes than the scene's, as they were asked for; the scene has them already.
-    pub sizes: Sizes,
-    /// Another view than the scene's, as it was asked for; the scene has it already.
-    pub view: View,
     /// One of the solver's layouts.
     pub layout: &'static str,
     /// How the grid is accumulated.
@@ -56,39 +48,6 @@ pub struct Plan {
     pub out: PathBuf,
 }
 
-/// Other sizes than the scene's, as they were asked for.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Sizes {
-    /// Nodes along the first axis.
-    pub grid: Option<usize>,
-    /// Number of particles.
-    pub particles: Option<usize>,
-    /// Steps after which particles are sorted.
-    pub reorder: Option<u64>,
-}
-
-/// Another view of a scene in space than the scene's, as it was asked for.
-#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
-pub struct View {
-    /// Degrees around the vertical axis.
-    pub azimuth: Option<f64>,
-    /// Degrees above the horizon.
-    pub elevation: Option<f64>,
-    /// How much nearer than where the whole is seen.
-    pub zoom: Option<f64>,
-}
-
-impl View {
-    /// The scene with this view.
-    pub fn of(self, mut scene: Scene) -> Scene {
-        let camera = &mut scene.camera;
-        camera.azimuth = self.azimuth.unwrap_or(camera.azimuth);
-        camera.elevation = self.elevation.unwrap_or(camera.elevation);
-        camera.zoom = self.zoom.unwrap_or(camera.zoom);
-        scene
-    }
-}
-
 impl Plan {
     /// The schedule of all steps.
     fn schedule(&self) -> Schedule {
@@ -97,7 +56,7 @@ impl Plan {
 
     /// What a checkpoint after `done` steps says.
     fn header(&self, done: u64) -> Header {
-        let Self { sizes, calendar, outputs, .. } = self;
+        let Self { calendar, outputs, .. } = self;
         Header {
             format: checkpoint::FORMAT,
             version: env!("CARGO_PKG_VERSION").to_string(),
@@ -109,10 +68,7 @@ impl Plan {
             steps_done: done,
             frames_done: calendar.frames(done),
             plan: Planned {
-                grid: sizes.grid,
-                particles: sizes.particles,
-                reorder: sizes.reorder,
-                view: self.view,
+                reorder: self.scene.reorder,
                 steps: calendar.steps,
                 every: calendar.every,
                 checkpoint_every: calendar.checkpoint_every,
@@ -234,7 +190,7 @@ impl Run<'_> {
     fn checkpoint(&mut self, simulation: &dyn Simulation) -> Result<PathBuf, LabError> {
         let file = self.plan.out.join(checkpoint::FILE);
         let step = simulation.steps();
-        checkpoint::save(&file, &self.plan.header(step), &self.plan.scene_text, &simulation.save())?;
+        checkpoint::save(&file, &self.plan.header(step), &self.plan.scene.text, &simulation.save())?;
         self.reporter.tell(&Event::Checkpoint { step, time: simulation.time(), file: &file })?;
         Ok(file)
     }
