@@ -8,7 +8,7 @@ use clap::{Args, ValueEnum};
 
 use super::scenes::{self, SceneArguments};
 use super::values;
-use crate::lab::checkpoint::{Checkpoint, Planned};
+use crate::lab::checkpoint::Checkpoint;
 use crate::lab::errors::LabError;
 use crate::lab::machine::NamedSchedule;
 use crate::lab::render::Shading;
@@ -189,13 +189,7 @@ impl RunArguments {
     /// The rest of a run.
     fn resumed(&self, checkpoint: &Checkpoint) -> Result<Plan, LabError> {
         let (header, there) = (&checkpoint.header, &checkpoint.header.plan);
-        let agree = |key: &str, there: &str, here: Option<&str>| match here {
-            Some(here) if here != there => Err(checkpoint.differs(key, there, here)),
-            _ => Ok(()),
-        };
-        agree("solver", &header.solver, self.solver.as_deref())?;
-        agree("layout", &header.layout, self.layout.as_deref())?;
-        self.agrees(there, &agree)?;
+        self.agrees(checkpoint)?;
         let solver = allotrope_solvers::solver(&header.solver).map_err(LabError::usage)?;
         let scene = self.same_scene(solver, checkpoint)?;
         let steps = self.what.steps.unwrap_or(there.steps);
@@ -231,11 +225,14 @@ impl RunArguments {
     }
 
     /// That what was asked for now was asked for then. Threads, films and when checkpoints are written may change.
-    fn agrees(
-        &self,
-        there: &Planned,
-        agree: &dyn Fn(&str, &str, Option<&str>) -> Result<(), LabError>,
-    ) -> Result<(), LabError> {
+    fn agrees(&self, checkpoint: &Checkpoint) -> Result<(), LabError> {
+        let (header, there) = (&checkpoint.header, &checkpoint.header.plan);
+        let agree = |key: &str, there: &str, here: Option<&str>| match here {
+            Some(here) if here != there => Err(checkpoint.differs(key, there, here)),
+            _ => Ok(()),
+        };
+        agree("solver", &header.solver, self.solver.as_deref())?;
+        agree("layout", &header.layout, self.layout.as_deref())?;
         let number = |value: Option<u64>| value.map_or("not set".to_string(), |value| value.to_string());
         agree("reorder", &there.reorder.to_string(), self.what.reorder.map(|here| here.to_string()).as_deref())?;
         let pictures = match (self.every, self.frames) {
