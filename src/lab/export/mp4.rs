@@ -14,8 +14,8 @@ pub fn available() -> bool {
     command.status().is_ok_and(|status| status.success())
 }
 
-/// Makes a film (H.264) of the first `count` pictures `frame_0000.png`, `frame_0001.png` and so on of a folder, so many a
-/// second. It is written beside its place and then renamed.
+/// Makes a film (H.264) of the first `count` pictures `frame_0000.png`, `frame_0001.png` and so on of a folder, so many
+/// a second. It is written beside its place and then renamed.
 ///
 /// # Errors
 /// If `ffmpeg` is not installed; its own last line, if it fails.

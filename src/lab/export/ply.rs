@@ -13,8 +13,8 @@ pub fn particles(simulation: &dyn Simulation) -> Vec<u8> {
     let floats: String =
         ["x", "y", "z", "vx", "vy", "vz", "pressure"].map(|name| format!("property float {name}\n")).concat();
     let header = format!(
-        "ply\nformat binary_little_endian 1.0\ncomment step {}, time {} s\nelement vertex {count}\n{floats}property uint \
-         material\nend_header\n",
+        "ply\nformat binary_little_endian 1.0\ncomment step {}, time {} s\nelement vertex {count}\n{floats}\
+         property uint material\nend_header\n",
         simulation.steps(),
         simulation.time()
     );

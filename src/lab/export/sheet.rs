@@ -16,8 +16,8 @@ const LABEL: usize = 2 * text::HEIGHT + 12;
 const BACKGROUND: [u8; 3] = [0x05, 0x07, 0x0d];
 const INK: [u8; 3] = [0xc8, 0xd2, 0xe4];
 
-/// The pictures that a sheet of a run of `frames` pictures shows: all of them, or [`MOST`], evenly picked, the first and
-/// the last among them.
+/// The pictures that a sheet of a run of `frames` pictures shows: all of them, or [`MOST`], evenly picked, the first
+/// and the last among them.
 pub fn picks(frames: usize) -> Vec<usize> {
     let shown = frames.min(MOST);
     (0..shown).map(|n| if shown < 2 { n } else { (n * (frames - 1) + (shown - 1) / 2) / (shown - 1) }).collect()

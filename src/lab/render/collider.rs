@@ -1,5 +1,7 @@
 //! Colliders: where they stand at a time, how far off they are, and where a ray meets them.
 
+use std::sync::LazyLock;
+
 use allotrope_solvers::mesh::ClosedMesh;
 use allotrope_solvers::scene::{Collider, ColliderShape};
 
@@ -86,12 +88,14 @@ impl Placed<'_> {
     }
 }
 
+/// Of colliders in a plane, and of their rims.
+static GREYS: LazyLock<[Colour; 2]> = LazyLock::new(|| [0x59616e, 0xa3adbc].map(Colour::hex));
+
 /// The grey of colliders in a plane, and how much of a pixel they cover, so many pixels from the surface: with a
 /// lighter rim.
 pub(super) fn flat(distance: f64) -> (Colour, f32) {
-    let (body, rim) = (Colour::hex(0x59616e), Colour::hex(0xa3adbc));
     let share = |pixels: f64| pixels.clamp(0.0, 1.0) as f32;
-    (body.mix(rim, share(distance + 3.0)), share(0.5 - distance))
+    (GREYS[0].mix(GREYS[1], share(distance + 3.0)), share(0.5 - distance))
 }
 
 #[cfg(test)]

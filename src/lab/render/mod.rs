@@ -39,8 +39,8 @@ impl Camera {
     ///
     /// The scale of speeds ends at the speed that the fastest particle would have after falling all the way. The scale
     /// of pressures ends at half the pressure that stops the densest material from that speed (Bernoulli), which is at
-    /// least that at the bottom of a tank filled by half, at rest; below zero it ends alike. Both depend on the scene and
-    /// its start alone, so that they are the same in each picture of a run.
+    /// least that at the bottom of a tank filled by half, at rest; below zero it ends alike. Both depend on the scene
+    /// and its start alone, so that they are the same in each picture of a run.
     pub fn new(simulation: &dyn Simulation, scene: &Scene, shading: Shading) -> Self {
         let fastest = simulation.velocities().iter().map(length).fold(0.0, f64::max);
         let fall =

@@ -53,7 +53,7 @@ pub(super) fn draw(camera: &Camera, simulation: &dyn Simulation) -> Canvas {
             tank
         };
         let here = row * columns + column;
-        // Colliders stand before fluid, whose soft edge is wider than the gap between them; the tank's wall, before both.
+        // Colliders stand before fluid, whose soft edge is wider than the gap between them; the wall before both.
         let solid = |colour: Colour| {
             if inward < 0.0 {
                 return colour;

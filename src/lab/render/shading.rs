@@ -52,7 +52,6 @@ impl Shading {
 const NAMED: &[(&str, u32)] = &[
     ("water", 0x2f86e0),
     ("snow", 0xe4ecf5),
-    ("ice", 0xb4dcf2),
     ("sand", 0xd9a441),
     ("soil", 0x8f6a45),
     ("honey", 0xe8a010),

@@ -1,5 +1,7 @@
 //! Colliders in space: what is seen of them, in depths that are compared with those of the fluid.
 
+use std::sync::LazyLock;
+
 use super::collider::Placed;
 use super::colour::Colour;
 use super::space::{SUN, View};
@@ -26,6 +28,9 @@ pub(super) fn unit(a: Vec3) -> Vec3 {
     let length = dot(a, a).sqrt().max(1e-30);
     a.map(|component| component / length)
 }
+
+/// Of the surfaces, and of what they mirror at their rims.
+static GREYS: LazyLock<[Colour; 2]> = LazyLock::new(|| [0x7c8594, 0xb9c6da].map(Colour::hex));
 
 /// The nearest collider in each pixel.
 pub(super) struct Solid {
@@ -57,7 +62,9 @@ impl Solid {
 
     /// A shape that says itself where a ray meets it.
     fn cast(&mut self, view: &View, shape: &Placed<'_>) {
-        let inside = |x: Vec3| (0..3).all(|axis| (view.low[axis]..=view.high[axis]).contains(&x[axis]));
+        // A plane that lies on a side of the tank is to be seen in spite of rounding.
+        let room = 1e-6 * dot(minus(view.high, view.low), minus(view.high, view.low)).sqrt();
+        let inside = |x: Vec3| (0..3).all(|axis| (view.low[axis] - room..=view.high[axis] + room).contains(&x[axis]));
         for pixel in 0..self.depth.len() {
             let ray = view.ray((pixel % self.columns) as f64, (pixel / self.columns) as f64);
             if let Some((depth, normal)) = shape.hit(view.eye, ray)
@@ -107,7 +114,7 @@ impl Solid {
         let normal = self.normal[pixel].map(f64::from);
         let diffuse = (0.5 + 0.5 * dot(normal, unit(SUN))).clamp(0.0, 1.0).powi(2) as f32;
         let rim = (1.0 - (-dot(normal, unit(ray))).clamp(0.0, 1.0)).powi(3) as f32;
-        Colour::hex(0x7c8594) * (0.15 + 0.95 * diffuse) + Colour::hex(0xb9c6da) * (0.12 * rim)
+        GREYS[0] * (0.15 + 0.95 * diffuse) + GREYS[1] * (0.12 * rim)
     }
 }
 

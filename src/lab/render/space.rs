@@ -1,10 +1,12 @@
 //! Pictures of space: particles as balls in a perspective view, their depths smoothed into a surface, which is lit.
 
+use std::sync::LazyLock;
+
 use allotrope_solvers::Simulation;
 
 use allotrope_solvers::scene::CameraPlace;
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, for_pieces};
 use super::collider::{self, Placed};
 use super::colour::{Colour, NIGHT};
 use super::solid::{self, Solid, Vec3, cross, dot, minus, plus, unit};
@@ -128,17 +130,20 @@ impl View {
     }
 }
 
-/// The nearest fluid in each pixel.
-struct Surface {
+/// The nearest fluid in a pixel.
+#[derive(Clone, Copy)]
+struct Sample {
     /// Infinite where there is none.
-    depth: Vec<f32>,
-    colour: Vec<Colour>,
+    depth: f32,
+    colour: Colour,
 }
+
+/// The nearest fluid in each pixel.
+struct Surface(Vec<Sample>);
 
 impl Surface {
     fn new(view: &View) -> Self {
-        let pixels = view.columns * view.rows;
-        Self { depth: vec![f32::INFINITY; pixels], colour: vec![Colour::default(); pixels] }
+        Self(vec![Sample { depth: f32::INFINITY, colour: Colour::default() }; view.columns * view.rows])
     }
 
     fn splat(&mut self, view: &View, x: Vec3, radius: f64, colour: Colour) {
@@ -153,9 +158,8 @@ impl Surface {
                 if square < 1.0 {
                     let here = (depth - radius * (1.0 - square).sqrt()) as f32;
                     let pixel = r * view.columns + c;
-                    if here < self.depth[pixel] {
-                        self.depth[pixel] = here;
-                        self.colour[pixel] = colour;
+                    if here < self.0[pixel].depth {
+                        self.0[pixel] = Sample { depth: here, colour };
                     }
                 }
             }
@@ -176,29 +180,33 @@ impl Surface {
     /// One pass along lines of `count` pixels that lie `stride` apart.
     fn pass(&mut self, reach: usize, edge: f32, stride: usize, count: usize) {
         let weights: Vec<f32> = (0..=reach).map(|n| (-2.0 * (n as f32 / reach as f32).powi(2)).exp()).collect();
-        let (depth, colour) = (self.depth.clone(), self.colour.clone());
-        for pixel in (0..depth.len()).filter(|&pixel| depth[pixel].is_finite()) {
-            let place = pixel / stride % count;
-            let (mut total, mut depths, mut colours) = (0.0, 0.0, Colour::default());
-            for n in place.saturating_sub(reach)..=(place + reach).min(count - 1) {
-                let other = pixel + n * stride - place * stride;
-                if (depth[other] - depth[pixel]).abs() < edge {
-                    let weight = weights[n.abs_diff(place)];
-                    total += weight;
-                    depths += weight * (depth[other] - depth[pixel]);
-                    colours = colours + colour[other] * weight;
+        let before = self.0.clone();
+        for_pieces(&mut self.0, |first, piece| {
+            for (pixel, sample) in piece.iter_mut().enumerate().map(|(n, sample)| (first + n, sample)) {
+                if sample.depth.is_infinite() {
+                    continue;
                 }
+                let (here, place) = (sample.depth, pixel / stride % count);
+                let (mut total, mut depths, mut colours) = (0.0, 0.0, Colour::default());
+                for n in place.saturating_sub(reach)..=(place + reach).min(count - 1) {
+                    let other = before[pixel + n * stride - place * stride];
+                    if (other.depth - here).abs() < edge {
+                        let weight = weights[n.abs_diff(place)];
+                        total += weight;
+                        depths += weight * (other.depth - here);
+                        colours = colours + other.colour * weight;
+                    }
+                }
+                *sample = Sample { depth: here + depths / total, colour: colours * (1.0 / total) };
             }
-            self.depth[pixel] = depth[pixel] + depths / total;
-            self.colour[pixel] = colours * (1.0 / total);
-        }
+        });
     }
 
     /// The surface's normal in a pixel, by the smaller of the differences to both sides.
     fn normal(&self, view: &View, column: usize, row: usize) -> Vec3 {
         let at = |c: usize, r: usize| {
             let ray = view.ray(c as f64, r as f64);
-            plus(view.eye, ray, f64::from(self.depth[r * view.columns + c]))
+            plus(view.eye, ray, f64::from(self.0[r * view.columns + c].depth))
         };
         let here = at(column, row);
         let smaller = |a: Vec3, b: Vec3| if dot(a, a) <= dot(b, b) || !dot(b, b).is_finite() { a } else { b };
@@ -235,7 +243,8 @@ impl Shadow {
                 shadow.cover[i as usize * CELLS + k as usize] += share;
             }
         }
-        shadow.add_colliders(colliders, simulation.extent()[1]);
+        // From so high above that no collider reaches it.
+        shadow.add_colliders(colliders, 4.0 * extent[1]);
         shadow.blur();
         shadow
     }
@@ -306,11 +315,28 @@ impl Shadow {
     }
 }
 
+/// The colours of what is around the fluid.
+struct Backdrop {
+    low: Colour,
+    high: Colour,
+    floor: Colour,
+    /// What smooth surfaces mirror at their rims.
+    sky: Colour,
+}
+
+/// Made once, since powers are too slow for every pixel.
+static BACKDROP: LazyLock<Backdrop> = LazyLock::new(|| Backdrop {
+    low: Colour::hex(NIGHT),
+    high: Colour::hex(0x1a2338),
+    floor: Colour::hex(0x46536e),
+    sky: Colour::hex(0x9fc4ff),
+});
+
 /// The colour of a pixel: the nearer of fluid and colliders, else the floor, else the background.
 fn shade(view: &View, surface: &Surface, solid: &Solid, shadow: &Shadow, column: usize, row: usize) -> Colour {
     let ray = view.ray(column as f64, row as f64);
     let pixel = row * view.columns + column;
-    let depth = surface.depth[pixel];
+    let Sample { depth, colour } = surface.0[pixel];
     if solid.depth[pixel] < depth {
         return solid.shade(pixel, ray);
     }
@@ -323,16 +349,15 @@ fn shade(view: &View, surface: &Surface, solid: &Solid, shadow: &Shadow, column:
         let diffuse = (0.5 + 0.5 * dot(normal, sun)).clamp(0.0, 1.0).powi(2) as f32;
         let glint = dot(normal, half).max(0.0).powi(60) as f32;
         let rim = (1.0 - facing).powi(4) as f32;
-        let colour = surface.colour[pixel];
-        let sky = Colour::hex(0x9fc4ff);
+        let sky = BACKDROP.sky;
         return colour * (0.18 + 0.95 * diffuse) + Colour([1.0; 3]) * (0.45 * glint) + sky * (0.25 * rim);
     }
-    let background = Colour::hex(NIGHT).mix(Colour::hex(0x1a2338), 1.0 - row as f32 / view.rows as f32);
+    let background = BACKDROP.low.mix(BACKDROP.high, 1.0 - row as f32 / view.rows as f32);
     let distance = (view.low[1] - view.eye[1]) / ray[1];
     let floor = plus(view.eye, ray, distance);
     let on_floor =
         distance > 0.0 && [0, 2].into_iter().all(|axis| (view.low[axis]..=view.high[axis]).contains(&floor[axis]));
-    if on_floor { Colour::hex(0x46536e) * shadow.light(floor) } else { background }
+    if on_floor { BACKDROP.floor * shadow.light(floor) } else { background }
 }
 
 /// A line of the tank, two of the large pixels wide, where nothing hides it.
@@ -346,7 +371,7 @@ fn draw_line(canvas: &mut Canvas, view: &View, surface: &Surface, solid: &Solid,
             let (column, row) = (column as i64 + c, row as i64 + r);
             if (0..view.columns as i64).contains(&column) && (0..view.rows as i64).contains(&row) {
                 let pixel = row as usize * view.columns + column as usize;
-                if f64::from(surface.depth[pixel].min(solid.depth[pixel])) > depth {
+                if f64::from(surface.0[pixel].depth.min(solid.depth[pixel])) > depth {
                     canvas.pixels[pixel] = colour;
                 }
             }
