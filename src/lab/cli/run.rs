@@ -20,6 +20,25 @@ const OUT: &str = "allotrope-out";
 /// Pictures of a run, if their number is not asked for.
 const FRAMES: u64 = 60;
 
+/// What makes no sense of a check, which takes the steps that it needs and writes nothing.
+const NOT_CHECKED: [&str; 15] = [
+    "steps",
+    "frames",
+    "every",
+    "out",
+    "shading",
+    "azimuth",
+    "elevation",
+    "zoom",
+    "gif",
+    "mp4",
+    "sheet",
+    "no_sheet",
+    "export",
+    "checkpoint_every",
+    "resume",
+];
+
 /// What is asked of `allotrope run`.
 #[derive(Args, Debug)]
 pub struct RunArguments {
@@ -38,7 +57,8 @@ pub struct RunArguments {
     #[arg(long)]
     deterministic: bool,
     /// Pictures to write, from the start to the end, 0 for none [default: 60]
-    #[arg(long, value_name = "N", conflicts_with = "every", value_parser = clap::value_parser!(u64).range(0..=1_000_000))]
+    #[arg(long, value_name = "N", conflicts_with = "every")]
+    #[arg(value_parser = clap::value_parser!(u64).range(0..=1_000_000))]
     frames: Option<u64>,
     /// Steps from one picture to the next, instead of `--frames`
     #[arg(long, value_name = "N", value_parser = values::steps)]
@@ -80,8 +100,7 @@ pub struct RunArguments {
     #[arg(long, value_name = "FILE")]
     resume: Option<PathBuf>,
     /// Checks the scene's numbers against published ones or closed forms, instead of making pictures
-    #[arg(long, conflicts_with_all = ["steps", "frames", "every", "out", "shading", "azimuth", "elevation", "zoom", "gif"])]
-    #[arg(conflicts_with_all = ["mp4", "sheet", "no_sheet", "export", "checkpoint_every", "resume"])]
+    #[arg(long, conflicts_with_all = NOT_CHECKED)]
     check: bool,
     /// How to tell of the progress
     #[arg(long, value_enum, value_name = "P", default_value_t)]
