@@ -270,11 +270,11 @@ fn a_gif_holds_the_frames_of_a_run() {
 fn a_sheet_shows_twelve_of_many_pictures() {
     let scene = mpm88();
     let simulation = run(&scene, 3);
-    assert_eq!(sheet::label(&*simulation), "step 3  0.0006 s");
+    assert_eq!(sheet::label(simulation.steps(), simulation.time()), "step 3  0.0006 s");
     let picture = Camera::new(&*simulation, &scene, Shading::Velocity).picture(&*simulation);
     let mut contact = sheet::Sheet::new(31);
     for number in 0..31 {
-        contact.add(number, &picture, &sheet::label(&*simulation));
+        contact.add(number, &picture, &sheet::label(simulation.steps(), simulation.time()));
     }
     let png = image::load_from_memory(&contact.png().unwrap()).unwrap();
     // Four columns and three rows of half pictures, and something between them.
@@ -291,11 +291,11 @@ fn a_film_is_made_where_ffmpeg_is() {
     }
     if !mp4::available() {
         println!("ffmpeg is not installed here: that this is told is all that is checked");
-        let message = mp4::write(folder.path(), 25.0, &path).unwrap_err().to_string();
+        let message = mp4::write(folder.path(), 2, 25.0, &path).unwrap_err().to_string();
         assert!(message.contains("`ffmpeg`, which makes films, is not installed"), "{message}");
         return;
     }
-    mp4::write(folder.path(), 25.0, &path).unwrap();
+    mp4::write(folder.path(), 2, 25.0, &path).unwrap();
     let bytes = std::fs::read(&path).unwrap();
     assert_eq!(bytes[4..8], *b"ftyp");
     assert!(bytes.windows(4).any(|piece| piece == b"avc1"), "the film is of H.264");

@@ -17,17 +17,6 @@ fn succeeds(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// The one line with which a command is refused.
-fn refused(arguments: &[&str]) -> String {
-    let output = allotrope(arguments);
-    let message = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
-    assert_eq!(message.lines().count(), 1, "{arguments:?}: {message}");
-    assert!(message.starts_with("error: "), "{message}");
-    assert!(output.stdout.is_empty(), "{arguments:?}");
-    message["error: ".len()..].trim_end().to_string()
-}
-
 fn names(folder: &Path) -> Vec<String> {
     let mut names: Vec<_> =
         std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
@@ -45,97 +34,6 @@ fn list_tells_what_there_is() {
 }
 
 #[test]
-fn misuse_is_told_in_one_line_with_status_2() {
-    let cases: &[(&[&str], &str)] = &[
-        (&["rnu"], "unrecognized subcommand `rnu`; did you mean `run`?"),
-        (&["run", "mmp"], "there is no solver `mmp`; did you mean `mpm`?"),
-        (&["bench", "teapot"], "there is no solver `teapot`; known are `mpm`"),
-        (&["run", "mpm", "--scene", "bunyn"], "scene `bunyn`: `mpm` has no scene of this name; did you mean `bunny`?"),
-        (&["run", "mpm", "--scene", "no/such.toml"], "scene `no/such.toml`: cannot be read: No such file"),
-        (
-            &["run", "mpm", "--layout", "aosoa16+blocked"],
-            "`mpm` has no layout `aosoa16+blocked`; did you mean `aosoa16+blocked4`?",
-        ),
-        (&["bench", "mpm", "--layouts", "aos+row,xyz"], "`mpm` has no layout `xyz`; known are `aos+row`"),
-        (&["bench", "mpm", "--layouts", ","], "`--layouts` and `--schedules` each want at least one name"),
-        (&["bench", "mpm", "--schedules", "serail"], "there is no schedule `serail`; did you mean `serial`?"),
-        (&["run", "mpm", "--schedule", "coloured"], "there is no schedule `coloured`; known are `auto`, `serial`"),
-        (&["run", "mpm", "--threads", "0"], "invalid value `0` for `--threads <N>`: it must be at least 1"),
-        (
-            &["run", "mpm", "--threads", "100000"],
-            "invalid value `100000` for `--threads <N>`: 100000 threads are more than the",
-        ),
-        (
-            &["run", "mpm", "--threads", "two"],
-            "invalid value `two` for `--threads <N>`: a whole number above zero is wanted",
-        ),
-        (&["run", "mpm", "--steps", "0"], "invalid value `0` for `--steps <N>`"),
-        (&["run", "mpm", "--stpes", "9"], "unexpected argument `--stpes` found; did you mean `--steps`?"),
-        (&["run", "mpm", "--particles", "99999999999"], "scene `mpm88`: `particles = 99999999999` is not from 1 to"),
-        (&["bench", "mpm", "--grid", "3"], "scene `mpm88`: `grid = 3` cannot be"),
-        (&["run"], "the following required arguments were not provided: <SOLVER>"),
-    ];
-    for (arguments, wanted) in cases {
-        let message = refused(arguments);
-        assert!(message.contains(wanted), "{arguments:?}\n  gives {message}\n  wanted {wanted}");
-    }
-}
-
-#[test]
-fn what_cannot_be_written_is_refused_before_the_work() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("file");
-    std::fs::write(&file, "kept").unwrap();
-    let below = file.join("below");
-    let message = refused(&["run", "mpm", "--steps", "1", "--out", below.to_str().unwrap()]);
-    assert!(message.starts_with(&format!("folder `{}` cannot be written to: ", below.display())), "{message}");
-    let message = refused(&["bench", "mpm", "--steps", "1", "--json", below.to_str().unwrap()]);
-    assert!(message.starts_with(&format!("`{}` cannot be written: ", below.display())), "{message}");
-    let message = refused(&["bench", "mpm", "--steps", "1", "--json", folder.path().to_str().unwrap()]);
-    assert!(message.ends_with("cannot be written: it is a folder"), "{message}");
-    assert_eq!(std::fs::read_to_string(&file).unwrap(), "kept");
-    assert_eq!(names(folder.path()), ["file"]);
-}
-
-#[test]
-fn a_scene_file_is_refused_by_file_key_and_value() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("pool.toml");
-    let pool = include_str!("../solvers/scenes/mpm88.toml");
-    let path_text = path.to_str().unwrap();
-    let cases = [
-        ("length = 1.0", "lenght = 1.0", "`lenght` is not a key of a scene; did you mean `length`?"),
-        ("density = 1.0", "density = \"heavy\"", "`material.density = \"heavy\"` is a text, where a number is wanted"),
-        ("density = 1.0", "density = -1.0", "`material.density = -1.0` must be above zero"),
-        ("to = [0.6, 0.6]", "to = [0.6, 1.6]", "`body[0]` puts particle"),
-        ("dt = 2e-4", "dt = 2e-3", "`dt = 2e-3` is unstable"),
-        ("solver = \"mpm\"", "solver = \"mpn\"", "`solver` is wrong: there is no solver `mpn`; did you mean `mpm`?"),
-    ];
-    for (piece, by, wanted) in cases {
-        std::fs::write(&path, pool.replace(piece, by)).unwrap();
-        let message =
-            refused(&["run", "mpm", "--scene", path_text, "--out", folder.path().join("out").to_str().unwrap()]);
-        assert!(message.starts_with(&format!("scene `{path_text}`: {wanted}")), "{message}");
-        assert_eq!(names(folder.path()), ["pool.toml"], "nothing is made before the scene is known to be right");
-    }
-    std::fs::write(&path, [0xff, 0xfe, 0x00]).unwrap();
-    assert!(refused(&["bench", "mpm", "--scene", path_text]).ends_with("is not a text in UTF-8"));
-}
-
-#[test]
-fn the_environment_is_checked_too() {
-    for (variable, value) in [("ALLOTROPE_CPU", "mmx"), ("ALLOTROPE_THREADS", "0"), ("ALLOTROPE_THREADS", "many")] {
-        let output = Command::new(env!("CARGO_BIN_EXE_allotrope")).arg("list").env(variable, value).output().unwrap();
-        let message = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{message}");
-        assert!(
-            message.starts_with("error: ") && message.contains(variable) && message.lines().count() == 1,
-            "{message}"
-        );
-    }
-}
-
-#[test]
 fn a_run_that_breaks_down_stops_with_one_line_and_status_1() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("fast.toml");
@@ -145,10 +43,9 @@ fn a_run_that_breaks_down_stops_with_one_line_and_status_1() {
     let output = allotrope(&["run", "mpm", "--scene", path.to_str().unwrap(), "--out", out.to_str().unwrap()]);
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(1), "{message}");
-    assert!(
-        message.starts_with("error: stopped at step 1: particle 0 at (") && message.lines().count() == 1,
-        "{message}"
-    );
+    assert!(message.starts_with("error: stopped at step 1: particle 0 ") && message.lines().count() == 1, "{message}");
+    let last = out.join("frame_0000.png");
+    assert!(message.ends_with(&format!("; last good frame: {}\n", last.display())), "{message}");
     assert_eq!(names(&out), ["frame_0000.png"]);
 }
 
@@ -172,7 +69,7 @@ fn run_writes_pictures_that_show_the_fluid() {
             out.to_str().unwrap(),
         ]);
         assert!(text.contains(&format!("{steps} steps")) && text.contains("steps a second"), "{text}");
-        assert_eq!(names(&out), ["frame_0000.png", "frame_0001.png", "frame_0002.png"]);
+        assert_eq!(names(&out), ["frame_0000.png", "frame_0001.png", "frame_0002.png", "sheet.png"]);
         let picture = |n: usize| image::open(out.join(format!("frame_000{n}.png"))).unwrap().to_rgb8();
         let (first, last) = (picture(0), picture(2));
         assert_eq!(first.dimensions(), size);
@@ -274,4 +171,120 @@ fn a_bench_of_many_particles_sorts_them() {
     ]);
     let report: Report = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
     assert!(report.rows[0].kernels.0.iter().any(|(name, _)| name == "sort"));
+}
+
+/// A run of a moment into a folder.
+fn moment<'a>(out: &'a Path, more: &[&'a str]) -> Vec<&'a str> {
+    let small = ["run", "mpm", "--particles", "500", "--grid", "32", "--steps", "9", "--every", "4", "--out"];
+    [&small[..], &[out.to_str().unwrap()], more].concat()
+}
+
+#[test]
+fn run_makes_what_is_asked_for_of_its_frames() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let text = succeeds(&moment(&out, &["--gif", "--no-sheet", "--export", "vtk,ply,npz"]));
+    let last = format!("4 pictures in {} with animation.gif, particles.pvd, grid.pvd\n", out.display());
+    assert!(text.ends_with(&last), "{text}");
+    let mut wanted = vec!["animation.gif".to_string(), "grid.pvd".into(), "particles.pvd".into()];
+    for frame in 0..4 {
+        wanted.push(format!("frame_{frame:04}.png"));
+        wanted.push(format!("grid_{frame:04}.vti"));
+        wanted.extend(["npz", "ply", "vtp"].map(|ending| format!("particles_{frame:04}.{ending}")));
+    }
+    wanted.sort();
+    assert_eq!(names(&out), wanted);
+    // The last frame comes after the last step, though it is out of turn.
+    let series = std::fs::read_to_string(out.join("particles.pvd")).unwrap();
+    let step = 2e-4 * 128.0 / 32.0;
+    for (frame, steps) in [0, 4, 8, 9].into_iter().enumerate() {
+        let line = series.lines().find(|line| line.contains(&format!("particles_{frame:04}.vtp"))).unwrap();
+        let time: f64 = line.split("timestep=\"").nth(1).unwrap().split('"').next().unwrap().parse().unwrap();
+        assert!((time - f64::from(steps) * step).abs() < 1e-12, "{line}");
+    }
+    let film = std::fs::File::open(out.join("animation.gif")).unwrap();
+    let film = image::codecs::gif::GifDecoder::new(std::io::BufReader::new(film)).unwrap();
+    assert_eq!(image::AnimationDecoder::into_frames(film).count(), 4);
+
+    let none = folder.path().join("none");
+    let text = succeeds(&["run", "mpm", "--steps", "2", "--frames", "0", "--out", none.to_str().unwrap()]);
+    assert!(text.contains("2 steps (to 0.000 s simulated)") && !text.contains("picture in"), "{text}");
+    assert!(names(&none).is_empty());
+}
+
+#[test]
+fn progress_is_told_as_it_is_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let text = succeeds(&moment(&out, &["--progress", "json"]));
+    let events: Vec<serde_json::Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let names: Vec<_> = events.iter().map(|event| event["event"].as_str().unwrap()).collect();
+    assert_eq!(names, ["start", "frame", "frame", "frame", "frame", "end"]);
+    assert_eq!((&events[0]["particles"], &events[0]["seeds"][0]), (&500.into(), &88.into()));
+    assert_eq!(
+        (&events[2]["number"], &events[2]["step"], events[2]["file"].as_str()),
+        (&1.into(), &4.into(), out.join("frame_0001.png").to_str())
+    );
+    assert_eq!((&events[5]["reason"], &events[5]["frames"]), (&"finished".into(), &4.into()));
+
+    let text = succeeds(&moment(&out, &["--progress", "none"]));
+    assert!(text.lines().count() == 2 && text.lines().next().unwrap().ends_with(", seed 88"), "{text}");
+    assert_eq!(succeeds(&moment(&out, &["--progress", "plain"])).lines().count(), 6);
+    for quiet in [&["--quiet"][..], &["--quiet", "--progress", "json"], &["--quiet", "--mp4"]] {
+        let output = allotrope(&moment(&out, quiet));
+        assert!(output.status.success() && output.stdout.is_empty() && output.stderr.is_empty(), "{quiet:?}");
+    }
+}
+
+/// Of colours and cursors, where nobody sees them.
+#[test]
+fn no_escapes_are_written_into_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let run = moment(&out, &["--progress", "bar"]);
+    for arguments in [&run[..], &["--help"], &["run", "--help"], &["rnu"], &["list"], &["scene", "show", "mpm88"]] {
+        let output = allotrope(arguments);
+        assert!(!output.stdout.contains(&0x1b) && !output.stderr.contains(&0x1b), "{arguments:?}");
+        assert!(!output.stdout.is_empty() || !output.stderr.is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn scenes_are_shown_and_checked() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = succeeds(&["scene", "show", "mpm88"]);
+    let path = folder.path().join("my.toml");
+    std::fs::write(&path, &text).unwrap();
+    let file = path.to_str().unwrap();
+    let line = succeeds(&["scene", "check", file, file]);
+    let about = format!("{file}: 2D, 8192 particles of fluid, 128 x 128 nodes, ");
+    assert!(line.lines().count() == 2 && line.lines().all(|line| line.starts_with(&about)), "{line}");
+    assert!(line.contains("MiB, dt 2e-4 of at most 2.67e-4, in all layouts"), "{line}");
+    // All that are wrong are told, and what is right is told too.
+    let output = allotrope(&["scene", "check", "a.toml", file, "b.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8(output.stdout).unwrap().starts_with(&about));
+    let errors = String::from_utf8(output.stderr).unwrap();
+    let names: Vec<_> =
+        errors.lines().map(|line| line.starts_with("error: scene `") && line.contains(".toml")).collect();
+    assert_eq!(names, [true, true], "{errors}");
+}
+
+#[test]
+fn completions_are_there_for_all_shells() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = succeeds(&["completions", shell]);
+        assert!(script.contains("allotrope") && script.contains("checkpoint-every"), "{shell}");
+    }
+}
+
+#[test]
+fn a_run_goes_on_without_a_film_where_ffmpeg_is_not_installed() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_allotrope"));
+    let output = command.args(moment(&out, &["--mp4"])).env("PATH", folder.path()).output().unwrap();
+    let note = "note: `ffmpeg` is not installed, and so there is no `animation.mp4`; `--gif` needs no other program\n";
+    assert_eq!((output.status.code(), String::from_utf8(output.stderr).unwrap().as_str()), (Some(0), note));
+    assert!(names(&out).contains(&"sheet.png".to_string()));
 }

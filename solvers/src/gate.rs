@@ -1,6 +1,9 @@
 //! Checks of a scene against published numbers or closed forms.
 
-use crate::Simulation;
+use crate::{Scene, Simulation};
+
+/// Makes what watches a run of a scene.
+pub type Gate = fn(&Scene) -> Box<dyn Watch>;
 
 /// Watches a run of a scene from its start to its end, and then says what came of it.
 pub trait Watch {

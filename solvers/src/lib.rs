@@ -22,7 +22,7 @@ pub mod scene;
 mod simulation;
 mod state;
 
-pub use gate::{Finding, Watch};
+pub use gate::{Finding, Gate, Watch};
 pub use nearest::nearest;
 pub use registry::{Built, LayoutInfo, SceneInfo, SolverInfo, solver, solvers};
 pub use scene::{Scene, SceneError};

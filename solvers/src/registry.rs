@@ -2,7 +2,7 @@
 
 use crate::nearest::hint;
 use crate::scene::Folder;
-use crate::{Scene, SceneError, Simulation, Watch, mpm};
+use crate::{Gate, Scene, SceneError, Simulation, mpm};
 
 /// A solver: what it offers, and how a simulation is made.
 #[derive(Debug)]
@@ -34,7 +34,7 @@ pub struct SceneInfo {
     /// Its TOML text (`SCENES.md` is the schema).
     pub text: &'static str,
     /// Its check against published numbers or closed forms, where there is one.
-    pub gate: Option<fn(&Scene) -> Box<dyn Watch>>,
+    pub gate: Option<Gate>,
 }
 
 /// A layout, or a combination of layouts, in which a solver was compiled.

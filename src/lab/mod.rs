@@ -1,6 +1,7 @@
 //! The laboratory's commands, and what they are made of.
 
 pub mod bench;
+pub mod checkpoint;
 pub mod cli;
 pub mod errors;
 pub mod export;
@@ -9,5 +10,7 @@ pub mod machine;
 pub mod output;
 pub mod render;
 pub mod run;
+pub mod scene;
+pub mod signals;
 pub mod statistics;
 pub mod table;

@@ -21,7 +21,7 @@ pub(super) struct Driver<F: Fluid> {
 
 impl<F: Fluid> Driver<F> {
     pub(super) fn new(scene: &Scene, particles: &Particles, parameters: F::Parameters) -> Result<Self, SceneError> {
-        let fluid = F::new(particles, scene.grid).map_err(|fault| SceneError::new(&*scene.file, fault))?;
+        let fluid = F::new(particles, scene.grid).map_err(|fault| SceneError::memory(&*scene.file, fault))?;
         let identity = (0..particles.x.len() as u32).collect();
         Ok(Self { fluid, parameters, scene: scene.clone(), identity, steps: 0 })
     }

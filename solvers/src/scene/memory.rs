@@ -51,7 +51,7 @@ impl Scene {
                 i * j * k,
                 gibibytes(available as f64)
             );
-            return Err(self.fault(format!("grid = {size}"), message));
+            return Err(self.fault(format!("grid = {size}"), message).of_memory());
         }
         if all > available {
             let message = format!(
@@ -61,7 +61,7 @@ impl Scene {
                 gibibytes(grid as f64),
                 gibibytes(available as f64)
             );
-            return Err(self.fault("body", message));
+            return Err(self.fault("body", message).of_memory());
         }
         Ok(())
     }

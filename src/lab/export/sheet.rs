@@ -1,7 +1,5 @@
 //! A contact sheet: some pictures of a run in one, halved, each with its step and time.
 
-use allotrope_solvers::Simulation;
-
 use super::text;
 use crate::lab::errors::LabError;
 use crate::lab::render::Picture;
@@ -26,8 +24,8 @@ pub fn picks(frames: usize) -> Vec<usize> {
 }
 
 /// What a picture is labelled with: `step 120  0.0240 s`.
-pub fn label(simulation: &dyn Simulation) -> String {
-    format!("step {}  {:.4} s", simulation.steps(), simulation.time())
+pub fn label(step: u64, time: f64) -> String {
+    format!("step {step}  {time:.4} s")
 }
 
 /// A contact sheet, picture by picture: no more of them are kept than it shows.

@@ -33,6 +33,15 @@ impl Shading {
         })
     }
 
+    /// The name by which it is asked for.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Velocity => "velocity",
+            Self::Material => "material",
+            Self::Pressure => "pressure",
+        }
+    }
+
     /// The shading that is taken if none is asked for: by material where there are several, else by velocity.
     pub fn fitting(simulation: &dyn Simulation) -> Self {
         if simulation.materials().len() > 1 { Self::Material } else { Self::Velocity }

@@ -1,0 +1,64 @@
+//! What each command's help ends with. Lines that begin with the program's name are parsed by a test.
+
+/// Of the program.
+pub(super) const ALL: &str = "\
+Examples:
+  allotrope list                                # what there is
+  allotrope run mpm --scene bunny --gif         # pictures and an animation in allotrope-out
+  allotrope bench mpm                           # the same scene in many layouts
+
+Exit status:
+  0    done
+  1    a run broke down, or a check failed
+  2    what was asked for cannot be
+  3    the machine failed: a disk is full, a place cannot be written, memory is short
+  130  ended by Ctrl-C (143: by SIGTERM); `run` tells how to go on";
+
+/// Of `list`.
+pub(super) const LIST: &str = "\
+Examples:
+  allotrope list";
+
+/// Of `run`.
+pub(super) const RUN: &str = "\
+Examples:
+  allotrope run mpm                             # the first scene, with 60 pictures in allotrope-out
+  allotrope run mpm --scene my.toml --set dt=1e-4 --every 50 --gif
+  allotrope run mpm --scene bunny --layout soa+soa --azimuth 60 --zoom 1.5 --out bunny
+  allotrope run mpm --export npz,vtk --checkpoint-every 500 --deterministic
+  allotrope run --resume allotrope-out/checkpoint.npz
+  allotrope run mpm --frames 0 --progress json  # no pictures; a line of JSON for each event
+
+Ctrl-C ends a run after its step, with a checkpoint and what is made of the pictures so far; a second one ends it at
+once. Exit status: 0 done, 1 the run broke down or a check failed, 2 what was asked for cannot be, 3 the machine failed
+(disk, memory), 130 and 143 ended by a signal.";
+
+/// Of `bench`.
+pub(super) const BENCH: &str = "\
+Examples:
+  allotrope bench mpm                           # all layouts that fit the first scene
+  allotrope bench mpm --layouts aos+row,soa+soa --schedules private,atomic
+  allotrope bench mpm --particles 1048576 --grid 1024 --threads 1 --json bench.json";
+
+/// Of `scene`.
+pub(super) const SCENE: &str = "\
+Examples:
+  allotrope scene check my.toml other.toml
+  allotrope scene show bunny";
+
+/// Of `scene check`.
+pub(super) const SCENE_CHECK: &str = "\
+Examples:
+  allotrope scene check my.toml other.toml      # status 2 if one of them is wrong";
+
+/// Of `scene show`.
+pub(super) const SCENE_SHOW: &str = "\
+Examples:
+  allotrope scene show mpm88                    # a start for a scene of your own
+  allotrope scene show my.toml --set dt=1e-4";
+
+/// Of `completions`.
+pub(super) const COMPLETIONS: &str = "\
+Examples:
+  allotrope completions bash                    # put it where bash looks for completions
+  allotrope completions fish";

@@ -1,0 +1,150 @@
+//! The command line.
+
+mod bench;
+mod examples;
+mod run;
+mod scene;
+mod scenes;
+mod values;
+
+use std::ffi::OsString;
+
+use allotrope_solvers::nearest;
+use clap::error::{ContextKind, ErrorKind};
+use clap::{Args, CommandFactory, Parser, Subcommand};
+use clap_complete::Shell;
+
+pub use self::bench::BenchArguments;
+pub use self::run::RunArguments;
+pub use self::scene::SceneCommand;
+use super::errors::LabError;
+use super::{list, machine, output, signals};
+
+/// The layout laboratory: runs one simulation in many data layouts, and shows what each costs.
+#[derive(Debug, Parser)]
+#[command(name = "allotrope", version, arg_required_else_help = true, after_help = examples::ALL)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Tells which solvers, scenes, layouts and schedules there are
+    #[command(after_help = examples::LIST)]
+    List,
+    /// Runs a scene in one layout and writes pictures of it
+    #[command(after_help = examples::RUN)]
+    Run(Box<RunArguments>),
+    /// Runs a scene in many layouts, checks that they agree, and compares their speed
+    #[command(after_help = examples::BENCH)]
+    Bench(BenchArguments),
+    /// Reads scenes without running them
+    #[command(subcommand, after_help = examples::SCENE)]
+    Scene(SceneCommand),
+    /// Prints what a shell needs to complete the command line
+    #[command(after_help = examples::COMPLETIONS)]
+    Completions(CompletionsArguments),
+}
+
+/// What is asked of `allotrope completions`.
+#[derive(Args, Debug)]
+struct CompletionsArguments {
+    /// The shell
+    shell: Shell,
+}
+
+/// Reads a command line. Help and version are printed, and end the program.
+///
+/// # Errors
+/// One line that tells what is wrong, and what was probably meant.
+pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Cli, LabError> {
+    Cli::try_parse_from(arguments).map_err(|error| match error.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            error.exit()
+        }
+        _ => LabError::usage(brief(&error)),
+    })
+}
+
+/// A clap error in one line: its first paragraph, and the nearest name where it knows one.
+fn brief(error: &clap::Error) -> String {
+    let text = error.to_string();
+    let first: Vec<&str> = text.lines().take_while(|line| !line.trim().is_empty()).map(str::trim).collect();
+    let message = first.join(" ");
+    let message = message.strip_prefix("error: ").unwrap_or(&message).replace('\'', "`");
+    let near = [ContextKind::SuggestedArg, ContextKind::SuggestedSubcommand, ContextKind::SuggestedValue]
+        .into_iter()
+        .find_map(|kind| error.get(kind))
+        .map(|near| near.to_string())
+        .or_else(|| {
+            nearest(&error.get(ContextKind::InvalidSubcommand)?.to_string(), commands().iter().map(String::as_str))
+                .map(str::to_string)
+        });
+    match near {
+        Some(near) => format!("{message}; did you mean `{near}`?"),
+        None if error.kind() == ErrorKind::ValueValidation => message,
+        None => format!("{message}; `allotrope --help` tells what there is"),
+    }
+}
+
+/// The names of the commands.
+fn commands() -> Vec<String> {
+    Cli::command().get_subcommands().map(|command| command.get_name().to_string()).collect()
+}
+
+impl Cli {
+    /// Does what was asked for.
+    ///
+    /// # Errors
+    /// One line that tells why it cannot be done.
+    pub fn execute(self) -> Result<(), LabError> {
+        machine::check()?;
+        signals::tell_limits()?;
+        match self.command {
+            Command::List => output::print(&list::text()),
+            Command::Run(arguments) => arguments.execute(),
+            Command::Bench(arguments) => arguments.execute(),
+            Command::Scene(command) => command.execute(),
+            Command::Completions(arguments) => arguments.execute(),
+        }
+    }
+}
+
+impl CompletionsArguments {
+    fn execute(self) -> Result<(), LabError> {
+        let mut script = Vec::new();
+        clap_complete::generate(self.shell, &mut Cli::command(), "allotrope", &mut script);
+        output::print(&String::from_utf8_lossy(&script))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    /// All commands, and those below them.
+    fn every(command: &clap::Command) -> Vec<clap::Command> {
+        let below = command.get_subcommands().flat_map(every);
+        [command.clone()].into_iter().chain(below).collect()
+    }
+
+    #[test]
+    fn help_ends_with_examples_that_can_be_parsed() {
+        for command in every(&Cli::command()) {
+            let help = command.get_after_help().map(|help| help.to_string()).unwrap_or_default();
+            let lines: Vec<_> = help.lines().filter(|line| line.starts_with("  allotrope ")).collect();
+            assert!(!lines.is_empty(), "`{}` has no examples", command.get_name());
+            for line in lines {
+                let words = line.split('#').next().unwrap_or_default().split_whitespace();
+                let parsed = Cli::try_parse_from(words);
+                assert!(parsed.is_ok(), "{line}: {}", parsed.unwrap_err());
+            }
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! `allotrope scene`.
+
+use std::path::PathBuf;
+
+use allotrope_solvers::solvers;
+use clap::{Args, Subcommand};
+
+use super::{examples, scenes};
+use crate::lab::errors::LabError;
+use crate::lab::{output, scene};
+
+/// What is asked of `allotrope scene`.
+#[derive(Debug, Subcommand)]
+pub enum SceneCommand {
+    /// Reads, fills and checks scenes, and tells a line about each
+    #[command(after_help = examples::SCENE_CHECK)]
+    Check(CheckArguments),
+    /// Prints a scene as the solver sees it
+    #[command(after_help = examples::SCENE_SHOW)]
+    Show(ShowArguments),
+}
+
+/// What is asked of `allotrope scene check`.
+#[derive(Args, Debug)]
+pub struct CheckArguments {
+    /// TOML files
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+}
+
+/// What is asked of `allotrope scene show`.
+#[derive(Args, Debug)]
+pub struct ShowArguments {
+    /// A built-in name, or a TOML file
+    #[arg(value_name = "SCENE")]
+    scene: String,
+    /// Another value than the scene's; may be given more than once
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
+}
+
+impl SceneCommand {
+    pub(super) fn execute(self) -> Result<(), LabError> {
+        match self {
+            Self::Check(arguments) => scene::check(&arguments.files),
+            Self::Show(arguments) => arguments.execute(),
+        }
+    }
+}
+
+impl ShowArguments {
+    fn execute(self) -> Result<(), LabError> {
+        let of = solvers().iter().find(|solver| solver.scenes.iter().any(|scene| scene.name == self.scene));
+        let scene = scenes::named(of.unwrap_or(&solvers()[0]), &self.scene, &self.set)?;
+        output::print(&format!("{}\n", scene.text.trim_end()))
+    }
+}
