@@ -1,92 +1,126 @@
 //! How materials bear being deformed.
+//!
+//! A particle remembers its deformation gradient, of which plastic materials keep the elastic part only, and two
+//! numbers more. A step hands its trial, `(I + dt grad v) F`, to [`Model::update`], which lets the material yield and
+//! tells the Kirchhoff stress `tau = J sigma = P F^T`, in Pa of the volume at rest: the material point method weighs it
+//! by that volume.
+//!
+//! In the plane materials are in plane strain.
 
-/// Lamé's constants in Pa.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Elastic {
-    /// The shear modulus.
-    pub mu: f32,
-    /// Lamé's first.
-    pub lambda: f32,
-}
+mod corotated;
+mod elastic;
+pub mod fluid;
+mod neo_hookean;
+mod sand;
+mod snow;
 
-impl Elastic {
-    /// From Young's modulus in Pa and Poisson's ratio, below 0.5; in the plane, of plane strain.
-    pub fn new(young: f64, poisson: f64) -> Self {
-        Self {
-            mu: (young / (2.0 * (1.0 + poisson))) as f32,
-            lambda: (young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson))) as f32,
-        }
-    }
+use crate::linear::Matrix;
 
-    fn wave_modulus(self) -> f64 {
-        f64::from(self.lambda) + 2.0 * f64::from(self.mu)
-    }
-}
+pub use elastic::Elastic;
+pub use sand::{Sand, cone_slope};
+pub use snow::Snow;
 
-/// Constants of snow (Stomakhin et al. 2013).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Snow {
-    /// Where nothing has yielded.
-    pub elastic: Elastic,
-    /// `xi`: how fast it hardens.
-    pub hardening: f32,
-    /// `theta_c`: singular values yield below one less this.
-    pub compression: f32,
-    /// `theta_s`: singular values yield above one and this.
-    pub stretch: f32,
-}
-
-impl Snow {
-    /// With the limits and the hardening of the paper, table 2.
-    pub fn new(young: f64, poisson: f64) -> Self {
-        Self { elastic: Elastic::new(young, poisson), hardening: 10.0, compression: 2.5e-2, stretch: 7.5e-3 }
-    }
-}
-
-/// Constants of sand (Klar et al. 2016).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sand {
-    /// Of the grains' skeleton.
-    pub elastic: Elastic,
-    /// `h0` to `h3` of the angle of friction in degrees.
-    pub friction: [f32; 4],
-    /// Whether volume gained while nothing presses on it is given back before it resists again.
-    pub volume_correction: bool,
-}
-
-impl Sand {
-    /// With the friction of the paper's examples, and with correction of volume.
-    pub fn new(young: f64, poisson: f64) -> Self {
-        Self { elastic: Elastic::new(young, poisson), friction: [35.0, 9.0, 0.2, 10.0], volume_correction: true }
-    }
-}
+/// What no law of plasticity takes singular values to be below. A step in which no particle crosses a cell does not
+/// flatten one that far; where it happens all the same, turned inside out even, the logarithm remains finite.
+const FLATTEST: f32 = 0.05;
 
 /// A material's law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Model {
-    /// Weakly compressible.
+    /// Weakly compressible: [`fluid`].
     Fluid {
         /// Bulk modulus in Pa.
         stiffness: f32,
     },
-    /// Neo-Hookean.
+    /// [`Elastic::neo_hookean_stress`].
     NeoHookean(Elastic),
-    /// Fixed corotated.
+    /// [`Elastic::corotated_stress`].
     Corotated(Elastic),
-    /// Snow.
+    /// [`Snow::return_map`].
     Snow(Snow),
-    /// Sand.
+    /// [`Sand::return_map`].
     Sand(Sand),
 }
 
+/// A particle after a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Updated<M> {
+    /// Its elastic part.
+    pub deformation_gradient: M,
+    /// See [`Model::initial_plastic`].
+    pub plastic: [f32; 2],
+    /// In Pa.
+    pub kirchhoff_stress: M,
+}
+
 impl Model {
-    /// The modulus of the fastest wave in Pa.
+    /// What a particle at rest remembers beside its deformation gradient: for a fluid its volume over that at rest, for
+    /// snow its plastic part of that, for sand the hardening `q` and the logarithm of the volume that it gained without
+    /// resistance.
+    pub fn initial_plastic(&self) -> [f32; 2] {
+        match self {
+            Self::Fluid { .. } | Self::Snow(_) => [1.0, 0.0],
+            Self::NeoHookean(_) | Self::Corotated(_) | Self::Sand(_) => [0.0, 0.0],
+        }
+    }
+
+    /// Lets the material yield, and tells its stress. What does not yield keeps its deformation gradient to the last
+    /// bit.
+    // Called from many kernels: compiled once for each dimension.
+    #[inline(never)]
+    pub fn update<M: Matrix>(&self, f_trial: M, plastic: [f32; 2]) -> Updated<M> {
+        let elastic = |kirchhoff_stress| Updated { deformation_gradient: f_trial, plastic, kirchhoff_stress };
+        match self {
+            Self::Fluid { stiffness } => {
+                let j = fluid::volume_ratio(plastic[0], f_trial);
+                Updated {
+                    deformation_gradient: M::IDENTITY,
+                    plastic: [j, 0.0],
+                    kirchhoff_stress: fluid::stress(*stiffness, j),
+                }
+            }
+            Self::NeoHookean(constants) => elastic(constants.neo_hookean_stress(f_trial)),
+            Self::Corotated(constants) => elastic(constants.corotated_stress(f_trial)),
+            Self::Snow(snow) => snow.update(f_trial, plastic),
+            Self::Sand(sand) => sand.update(f_trial, plastic),
+        }
+    }
+
+    /// The elastic energy over the volume at rest, in J/m^3 (J/m^2 in the plane).
+    pub fn energy<M: Matrix>(&self, deformation_gradient: M, plastic: [f32; 2]) -> f32 {
+        match self {
+            Self::Fluid { stiffness } => fluid::energy(*stiffness, plastic[0]),
+            Self::NeoHookean(constants) => constants.neo_hookean_energy(deformation_gradient),
+            Self::Corotated(constants) => constants.corotated_energy(deformation_gradient),
+            Self::Snow(snow) => snow.hardened(plastic[0]).corotated_energy(deformation_gradient),
+            Self::Sand(sand) => sand.energy(deformation_gradient.svd().sigma),
+        }
+    }
+
+    /// The modulus of the fastest wave in Pa, `lambda + 2 mu` in solids at rest. Snow is taken as hardened by a tenth
+    /// of compaction (`e` times as stiff with the paper's constants): its drifts and balls seldom have more.
     pub fn wave_modulus(&self) -> f64 {
         match self {
             Self::Fluid { stiffness } => f64::from(*stiffness),
             Self::NeoHookean(elastic) | Self::Corotated(elastic) => elastic.wave_modulus(),
-            Self::Snow(snow) => snow.elastic.wave_modulus(),
+            Self::Snow(snow) => snow.hardened(0.9).wave_modulus(),
             Self::Sand(sand) => sand.elastic.wave_modulus(),
         }
     }
+
+    /// By which scenes ask for it.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Fluid { .. } => "fluid",
+            Self::NeoHookean(_) => "neo-hookean",
+            Self::Corotated(_) => "corotated",
+            Self::Snow(_) => "snow",
+            Self::Sand(_) => "sand",
+        }
+    }
+}
+
+/// `U diag(values) U^T`.
+fn along<M: Matrix>(u: M, values: M::Singular) -> M {
+    u * M::from_diagonal(values) * u.transpose()
 }
