@@ -150,7 +150,7 @@ fn a_step_in_which_a_particle_is_too_fast_is_refused_with_step_and_particle() {
     let error = (0..100).find_map(|_| fluid.step().err()).unwrap();
     assert_eq!(error.step, 1);
     let message = error.to_string();
-    assert!(message.starts_with("stopped at step 1: particle 0 at (0."), "{message}");
+    assert!(message.starts_with("stopped at step 1: particle 0 (fluid) at (0."), "{message}");
     assert!(
         message.contains(
             "moved more than a cell, at 41.000 of at most 39.062, and 8191 others; make `dt = 0.0002` smaller"
@@ -165,7 +165,7 @@ fn what_is_not_finite_is_found_at_its_step() {
     scene.gravity = [0.0, f64::NAN, 0.0];
     let mut fluid = build(&scene, "aos+row");
     let error = fluid.step().unwrap_err();
-    assert!(error.to_string().starts_with("stopped at step 1: particle 0 is not finite, at ("), "{error}");
+    assert!(error.to_string().starts_with("stopped at step 1: particle 0 (fluid) is not finite, at ("), "{error}");
 }
 
 #[test]

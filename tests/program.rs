@@ -43,7 +43,10 @@ fn a_run_that_breaks_down_stops_with_one_line_and_status_1() {
     let output = allotrope(&["run", "mpm", "--scene", path.to_str().unwrap(), "--out", out.to_str().unwrap()]);
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(1), "{message}");
-    assert!(message.starts_with("error: stopped at step 1: particle 0 ") && message.lines().count() == 1, "{message}");
+    assert!(
+        message.starts_with("error: stopped at step 1: particle 0 (fluid) at (") && message.lines().count() == 1,
+        "{message}"
+    );
     let last = out.join("frame_0000.png");
     assert!(message.ends_with(&format!("; last good frame: {}\n", last.display())), "{message}");
     assert_eq!(names(&out), ["frame_0000.png"]);

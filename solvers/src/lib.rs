@@ -12,8 +12,10 @@
 //! ```
 
 #![forbid(unsafe_code)]
+#![allow(clippy::duplicate_mod, reason = "texts of kernels that are the same in the plane and in space")]
 
 mod gate;
+pub mod linear;
 pub mod mesh;
 pub mod mpm;
 mod nearest;

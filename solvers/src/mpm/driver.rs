@@ -1,33 +1,35 @@
-//! A step of the fluid, whatever its dimensions and layouts.
+//! A step of any medium, whatever its dimensions and layouts.
 
 use std::time::{Duration, Instant};
 
-use super::fluid::{Fluid, Particle};
-use crate::scene::{Particles, Scene, place};
+use super::medium::{Medium, Particle};
+use crate::scene::{Particles, Scene, Spline, place};
 use crate::{Array, Energy, SceneError, Simulation, State, StepError, Totals};
 
-const KERNELS: &[&str] = &["scatter", "grid", "gather"];
-const KERNELS_AND_SORT: &[&str] = &["scatter", "grid", "gather", "sort"];
+// Places in `kernel_names`; sorting comes last.
+const SCATTER: usize = 0;
+const GRID: usize = 1;
+const GATHER: usize = 2;
+const MATERIAL: usize = 3;
 
-/// A fluid with its clock, and the order in which its particles were given.
-pub(super) struct Driver<F: Fluid> {
-    fluid: F,
-    parameters: F::Parameters,
+/// A medium with its clock, and the order in which its particles were given.
+pub(super) struct Driver<M: Medium> {
+    medium: M,
     scene: Scene,
     /// For each place in memory, which particle of the scene lies there.
     identity: Vec<u32>,
     steps: u64,
 }
 
-impl<F: Fluid> Driver<F> {
-    pub(super) fn new(scene: &Scene, particles: &Particles, parameters: F::Parameters) -> Result<Self, SceneError> {
-        let fluid = F::new(particles, scene.grid).map_err(|fault| SceneError::memory(&*scene.file, fault))?;
+impl<M: Medium> Driver<M> {
+    pub(super) fn new(scene: &Scene, particles: &Particles) -> Result<Self, SceneError> {
+        let medium = M::new(scene, particles).map_err(|fault| SceneError::memory(&*scene.file, fault))?;
         let identity = (0..particles.x.len() as u32).collect();
-        Ok(Self { fluid, parameters, scene: scene.clone(), identity, steps: 0 })
+        Ok(Self { medium, scene: scene.clone(), identity, steps: 0 })
     }
 
     fn particle(&self, place: usize) -> Particle {
-        self.fluid.particle(place, &self.scene.materials)
+        self.medium.particle(place)
     }
 
     /// The mass of a particle in kg.
@@ -53,46 +55,62 @@ impl<F: Fluid> Driver<F> {
         };
         let particles = self.in_given_order(|particle| particle);
         let first = particles.iter().position(|particle| !sound(particle)).unwrap_or(0);
-        let Particle { x, v, .. } = particles[first];
+        let Particle { x, v, material, .. } = particles[first];
+        let material = &self.scene.materials[material as usize].name;
         let at = place(x, self.scene.dimensions);
         let what = if x.iter().chain(&v).all(|component| component.is_finite()) {
-            format!("particle {first} at {at} moved more than a cell, at {:.3} of at most {fastest:.3}", speed(v))
+            format!(
+                "particle {first} ({material}) at {at} moved more than a cell, at {:.3} of at most {fastest:.3}",
+                speed(v)
+            )
         } else {
-            format!("particle {first} is not finite, at {at} with the velocity {}", place(v, self.scene.dimensions))
+            format!(
+                "particle {first} ({material}) is not finite, at {at} with the velocity {}",
+                place(v, self.scene.dimensions)
+            )
         };
         let others = if count > 1 { format!(", and {} others", count - 1) } else { String::new() };
         StepError { step: self.steps, message: format!("{what}{others}; make `dt = {}` smaller", self.scene.dt) }
     }
 }
 
-impl<F: Fluid> Simulation for Driver<F> {
+impl<M: Medium> Simulation for Driver<M> {
     fn kernel_names(&self) -> &'static [&'static str] {
-        if self.scene.reorder == 0 { KERNELS } else { KERNELS_AND_SORT }
+        match (M::DEFORMS, self.scene.reorder != 0) {
+            (false, false) => &["scatter", "grid", "gather"],
+            (false, true) => &["scatter", "grid", "gather", "sort"],
+            (true, false) => &["scatter", "grid", "gather", "material"],
+            (true, true) => &["scatter", "grid", "gather", "material", "sort"],
+        }
     }
 
     fn step_timed(&mut self, spent: &mut [Duration]) -> Result<(), StepError> {
-        let mut last = Instant::now();
+        let (mut last, sort) = (Instant::now(), spent.len() - 1);
         let mut lap = |kernel: usize| {
             let now = Instant::now();
             spent[kernel] += now - last;
             last = now;
         };
         if self.scene.reorder != 0 && self.steps.is_multiple_of(self.scene.reorder) {
-            let order = self.fluid.reorder(&self.parameters);
+            let order = self.medium.reorder();
             self.identity = order.old_places().iter().map(|&old| self.identity[old as usize]).collect();
-            lap(3);
+            lap(sort);
         }
-        self.fluid.clear();
-        lap(1);
-        self.fluid.scatter(&self.parameters);
-        lap(0);
-        let suspicious = self.fluid.update_grid(&self.parameters);
-        lap(1);
-        self.fluid.gather(&self.parameters);
-        lap(2);
+        self.medium.clear();
+        lap(GRID);
+        self.medium.scatter();
+        lap(SCATTER);
+        let suspicious = self.medium.update_grid(self.time());
+        lap(GRID);
+        self.medium.gather();
+        lap(GATHER);
+        if M::DEFORMS {
+            self.medium.deform();
+            lap(MATERIAL);
+        }
         self.steps += 1;
-        // At the rim of the fluid nodes of hardly any mass may be fast while no particle is.
-        let broken = if suspicious > 0 { self.fluid.broken(&self.parameters) } else { 0 };
+        // At the rim of a body nodes of hardly any mass may be fast while no particle is.
+        let broken = if suspicious > 0 { self.medium.broken() } else { 0 };
         if broken == 0 { Ok(()) } else { Err(self.broken(broken)) }
     }
 
@@ -109,7 +127,7 @@ impl<F: Fluid> Simulation for Driver<F> {
     }
 
     fn particles(&self) -> usize {
-        self.fluid.len()
+        self.medium.len()
     }
 
     fn grid_shape(&self) -> Vec<usize> {
@@ -122,7 +140,7 @@ impl<F: Fluid> Simulation for Driver<F> {
 
     /// A particle comes to rest where all nodes around it belong to the wall.
     fn margin(&self) -> f64 {
-        (self.scene.wall as f64 - 1.5) * self.scene.dx()
+        (self.scene.wall as f64 - 0.5 * self.scene.transfer.spline.width() as f64) * self.scene.dx()
     }
 
     fn spacing(&self) -> f64 {
@@ -130,7 +148,7 @@ impl<F: Fluid> Simulation for Driver<F> {
     }
 
     fn bytes(&self) -> usize {
-        self.fluid.bytes()
+        self.medium.bytes()
     }
 
     fn positions(&self) -> Vec<[f64; 3]> {
@@ -159,7 +177,7 @@ impl<F: Fluid> Simulation for Driver<F> {
     }
 
     fn grid_arrays(&self) -> Vec<Array> {
-        self.fluid.nodes()
+        self.medium.nodes()
     }
 
     fn materials(&self) -> Vec<String> {
@@ -175,7 +193,7 @@ impl<F: Fluid> Simulation for Driver<F> {
     }
 
     fn save(&self) -> State {
-        let mut arrays = self.fluid.members();
+        let mut arrays = self.medium.members();
         arrays.push(Array::whole("identity", self.identity.clone()));
         State { steps: self.steps, arrays }
     }
@@ -187,7 +205,7 @@ impl<F: Fluid> Simulation for Driver<F> {
         if !sorted.iter().copied().eq(0..identity.len() as u32) {
             return Err("array `identity` does not name each particle once".into());
         }
-        self.fluid.set_members(state)?;
+        self.medium.set_members(state)?;
         self.identity.copy_from_slice(identity);
         self.steps = state.steps;
         Ok(())
@@ -195,7 +213,7 @@ impl<F: Fluid> Simulation for Driver<F> {
 
     fn energy(&self) -> Energy {
         let mut energy = Energy::default();
-        for particle in (0..self.fluid.len()).map(|place| self.particle(place)) {
+        for particle in (0..self.medium.len()).map(|place| self.particle(place)) {
             energy.kinetic += 0.5 * self.mass(&particle) * particle.v.iter().map(|v| v * v).sum::<f64>();
             energy.elastic += self.scene.particle_volume() * particle.elastic;
         }
@@ -203,14 +221,19 @@ impl<F: Fluid> Simulation for Driver<F> {
     }
 
     /// The affine part of the angular momentum is `m dx^2 / 4` times twice the antisymmetric part of the gradient
-    /// (quadratic splines; Jiang et al. 2017, "An angular momentum conserving affine-particle-in-cell method").
+    /// (quadratic splines; a third for cubic ones; Jiang et al. 2017, "An angular momentum conserving affine-particle-in-cell method").
     fn totals(&self) -> Totals {
+        let moment = match self.scene.transfer.spline {
+            Spline::Linear => 0.0,
+            Spline::Quadratic => self.scene.dx().powi(2) / 4.0,
+            Spline::Cubic => self.scene.dx().powi(2) / 3.0,
+        };
         let mut totals = Totals { mass: 0.0, momentum: [0.0; 3], angular_momentum: [0.0; 3] };
-        for place in 0..self.fluid.len() {
+        for place in 0..self.medium.len() {
             let particle = self.particle(place);
             let Particle { x, v, c, .. } = particle;
             let mass = self.mass(&particle);
-            let inertia = mass * self.scene.dx().powi(2) / 4.0;
+            let inertia = mass * moment;
             totals.mass += mass;
             for axis in 0..3 {
                 let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -222,6 +245,6 @@ impl<F: Fluid> Simulation for Driver<F> {
     }
 
     fn grid_mass(&self) -> f64 {
-        self.fluid.grid_mass()
+        self.medium.grid_mass()
     }
 }

@@ -1,44 +1,48 @@
-//! What the driver asks of a fluid in some dimensions and layouts.
+//! What the driver asks of a medium in some dimensions and layouts.
 
 use allotrope::Permutation;
 use allotrope::prelude::*;
 
-use crate::scene::{Material, Particles};
+use crate::scene::{Particles, Scene};
 use crate::{Array, State};
 
-/// The state of a fluid in one pair of layouts, and the parts of a step.
-pub(super) trait Fluid: Send + Sized {
-    /// What the kernels need to know of the scene.
-    type Parameters: Send;
+/// The state of a medium in one pair of layouts, and the parts of a step.
+pub(super) trait Medium: Send + Sized {
+    /// Whether [`deform`](Self::deform) does anything.
+    const DEFORMS: bool;
 
     /// # Errors
     /// If memory is refused.
-    fn new(particles: &Particles, grid: [usize; 3]) -> Result<Self, String>;
+    fn new(scene: &Scene, particles: &Particles) -> Result<Self, String>;
 
     /// Empties the grid.
     fn clear(&mut self);
 
     /// Mass and momentum, from particles to the grid.
-    fn scatter(&mut self, parameters: &Self::Parameters);
+    fn scatter(&mut self);
 
-    /// Momentum to velocity, gravity, walls. Tells how many nodes are not finite or move more than a cell a step.
-    fn update_grid(&mut self, parameters: &Self::Parameters) -> u32;
+    /// Momentum to velocity, gravity, walls, and colliders as they stand at that time in s. Tells how many nodes are
+    /// not finite or move more than a cell a step.
+    fn update_grid(&mut self, time: f64) -> u32;
 
-    /// Velocity, from the grid to particles, which move.
-    fn gather(&mut self, parameters: &Self::Parameters);
+    /// Velocity, from the grid to particles, which move and are deformed.
+    fn gather(&mut self);
+
+    /// Lets the materials yield, and makes the stress that the next step scatters.
+    fn deform(&mut self) {}
 
     /// How many particles are not finite or moved more than a cell; none, where [`update_grid`](Self::update_grid) told
     /// none.
-    fn broken(&self, parameters: &Self::Parameters) -> u32;
+    fn broken(&self) -> u32;
 
     /// Sorts the particles by cell.
-    fn reorder(&mut self, parameters: &Self::Parameters) -> Permutation;
+    fn reorder(&mut self) -> Permutation;
 
     /// Number of particles.
     fn len(&self) -> usize;
 
     /// The particle at a place.
-    fn particle(&self, place: usize, materials: &[Material]) -> Particle;
+    fn particle(&self, place: usize) -> Particle;
 
     /// The members of the particles, in the order in which they lie in memory.
     fn members(&self) -> Vec<Array>;
@@ -64,23 +68,17 @@ pub(super) trait Fluid: Send + Sized {
 pub(super) struct Particle {
     pub(super) x: [f64; 3],
     pub(super) v: [f64; 3],
-    /// Gradient of the velocity, `c[row][column]`.
+    /// Gradient of the velocity that it carries, `c[row][column]`; zero where it carries none.
     pub(super) c: [[f64; 3]; 3],
     /// Which of the scene's materials it is of.
     pub(super) material: u32,
-    /// Pressure in Pa.
+    /// Pressure in Pa: the mean of the normal Kirchhoff stresses, compression positive.
     pub(super) pressure: f64,
     /// Elastic energy a volume at rest, in J/m^3.
     pub(super) elastic: f64,
 }
 
-/// Pressure and energy density of a fluid of that volume ratio.
-pub(super) fn of_volume(j: f32, materials: &[Material]) -> (f64, f64) {
-    let (stiffness, compression) = (materials[0].model.wave_modulus(), 1.0 - f64::from(j));
-    (stiffness * compression, 0.5 * stiffness * compression * compression)
-}
-
-/// The key by which particles are sorted: their first node in blocks of 4 nodes an axis, block after block, so that
+/// The key by which particles are sorted: their first node, in blocks of 4 nodes an axis, block after block, so that
 /// neighbours in memory share nodes of the grid, whatever its layout.
 ///
 /// ```

@@ -21,6 +21,8 @@ pub struct Mpm<V> {
     /// step to the affine momentum (Hu et al. 2018, "A moving least squares material point method", eq. 29, with `D =
     /// dx^2 / 4`).
     pub pressure: f32,
+    /// Bulk modulus in Pa.
+    pub stiffness: f32,
     /// In m/s^2.
     pub gravity: V,
     /// Nodes below this belong to the lower walls.
@@ -33,16 +35,27 @@ impl<V> Mpm<V> {
     fn new(scene: &Scene, gravity: V) -> Self {
         let (dx, wall) = (scene.dx(), scene.wall as i32);
         let volume = scene.particle_volume();
+        let material = &scene.materials[0];
+        let stiffness = material.model.wave_modulus();
         Self {
             dx: dx as f32,
             inv_dx: (1.0 / dx) as f32,
             dt: scene.dt as f32,
-            mass: (volume * scene.materials[0].density) as f32,
-            pressure: (-4.0 * scene.dt * scene.materials[0].model.wave_modulus() * volume / (dx * dx)) as f32,
+            mass: (volume * material.density) as f32,
+            pressure: (-4.0 * scene.dt * stiffness * volume / (dx * dx)) as f32,
+            stiffness: stiffness as f32,
             gravity,
             wall,
             inner: scene.grid.map(|nodes| nodes as i32 - wall),
         }
+    }
+}
+
+impl<V> Mpm<V> {
+    /// Pressure in Pa and energy density in J/m^3 of a particle of that volume ratio.
+    pub fn of_volume(&self, j: f32) -> (f64, f64) {
+        let (stiffness, compression) = (f64::from(self.stiffness), 1.0 - f64::from(j));
+        (stiffness * compression, 0.5 * stiffness * compression * compression)
     }
 }
 
