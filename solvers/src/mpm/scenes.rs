@@ -17,7 +17,7 @@ macro_rules! scenes {
 
 scenes! {
     "mpm88": "2D: 8192 particles of fluid fall into a box of 128 x 128 nodes", Some(gates::free_fall);
-    "three-materials": "2D: water, jelly and snow fall upon each other", Some(gates::free_fall);
+    "three-materials": "2D: jelly and snow fall into water", None;
     "dam-break": "2D: a column of water collapses in a tank", Some(gates::dam_break);
     "bunny": "3D: the Stanford bunny of fluid is dropped into a box of 64 x 64 x 64 nodes", Some(gates::free_fall);
     "snowball": "3D: two snowballs meet in the air and burst", Some(gates::free_fall);

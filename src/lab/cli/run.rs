@@ -183,7 +183,7 @@ impl RunArguments {
         let every = match (self.every, self.frames) {
             (Some(every), _) => Some(every),
             (None, Some(0)) => None,
-            (None, frames) => Some((steps / frames.unwrap_or(FRAMES)).max(1)),
+            (None, frames) => Some(steps.div_ceil(frames.unwrap_or(FRAMES))),
         };
         Ok(Plan {
             solver,
@@ -257,7 +257,7 @@ impl RunArguments {
         let pictures = match (self.every, self.frames) {
             (Some(every), _) => Some(Some(every)),
             (None, Some(0)) => Some(None),
-            (None, Some(frames)) => Some(Some((self.what.steps.unwrap_or(there.steps) / frames).max(1))),
+            (None, Some(frames)) => Some(Some(self.what.steps.unwrap_or(there.steps).div_ceil(frames))),
             (None, None) => None,
         };
         agree("every", &number(there.every), pictures.map(number).as_deref())?;
