@@ -17,6 +17,14 @@ fn succeeds(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
+/// The one line with which a command is refused.
+fn refused(arguments: &[&str]) -> String {
+    let output = allotrope(arguments);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.code() == Some(2) && message.lines().count() == 1, "{arguments:?}: {message}");
+    message.strip_prefix("error: ").unwrap().trim_end().to_string()
+}
+
 fn names(folder: &Path) -> Vec<String> {
     let mut names: Vec<_> =
         std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
@@ -63,7 +71,7 @@ fn run_writes_pictures_that_show_the_fluid() {
             "--scene",
             scene,
             "--layout",
-            "soa+row",
+            "aosoa16+row",
             "--steps",
             steps,
             "--frames",
@@ -262,7 +270,7 @@ fn scenes_are_shown_and_checked() {
     let line = succeeds(&["scene", "check", file, file]);
     let about = format!("{file}: 2D, 8192 particles of fluid, 128 x 128 nodes, ");
     assert!(line.lines().count() == 2 && line.lines().all(|line| line.starts_with(&about)), "{line}");
-    assert!(line.contains("MiB, dt 2e-4 of at most 2.67e-4, in all layouts"), "{line}");
+    assert!(line.contains("MiB, dt 2e-4 of at most 2.67e-4, in aos+row, soa+soa, split+split, "), "{line}");
     // All that are wrong are told, and what is right is told too.
     let output = allotrope(&["scene", "check", "a.toml", file, "b.toml"]);
     assert_eq!(output.status.code(), Some(2));
@@ -290,4 +298,31 @@ fn a_run_goes_on_without_a_film_where_ffmpeg_is_not_installed() {
     let note = "note: `ffmpeg` is not installed, and so there is no `animation.mp4`; `--gif` needs no other program\n";
     assert_eq!((output.status.code(), String::from_utf8(output.stderr).unwrap().as_str()), (Some(0), note));
     assert!(names(&out).contains(&"sheet.png".to_string()));
+}
+
+#[test]
+fn checks_of_scenes_pass_fail_and_are_missing() {
+    let text = succeeds(&["run", "mpm", "--scene", "disks", "--check", "--layout", "hot+row"]);
+    let rows = text.lines().filter(|line| line.contains("ok") && line.contains("Sulsky")).count();
+    assert!(rows == 9 && text.contains("measured") && text.contains("expected") && text.contains("source"), "{text}");
+
+    // Lighter disks have less energy.
+    let output = allotrope(&["run", "mpm", "--scene", "disks", "--check", "--set", "material.density=900.0"]);
+    assert_eq!(output.status.code(), Some(1));
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(message.contains("checks failed; the first: kinetic energy at the start in J is 2.28"), "{message}");
+
+    let message = refused(&["run", "mpm", "--scene", "three-materials", "--check"]);
+    assert!(
+        message.starts_with("scene `three-materials` has no check; those that have one are `mpm88`, "),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_layout_that_makes_no_sense_is_refused_with_the_reason() {
+    let message = refused(&["run", "mpm", "--layout", "hot+row"]);
+    assert!(message.contains("every member of a fluid's particles is used by both transfers"), "{message}");
+    let text = succeeds(&["bench", "mpm", "--scene", "disks", "--steps", "22", "--threads", "2"]);
+    assert!(text.contains("hot+row") && text.contains("material"), "{text}");
 }
