@@ -191,3 +191,52 @@ fn sand_at_rest_stays_a_heap_and_snow_holds_together() {
     advance(&mut *heap, Schedule::default(), 3000);
     assert!(width(&*heap) < 1.12 * start, "{start} became {}", width(&*heap));
 }
+
+/// Water that falls upon a bunny of stone runs off it: no particle is deeper in it than one and a half cells.
+#[test]
+fn water_runs_off_a_mesh() {
+    let overrides = [
+        "body=[{ shape = \"box\", from = [0.3, 0.65, 0.35], to = [0.7, 0.85, 0.65] }]",
+        "collider=[{ shape = \"mesh\", file = \"bunny.obj\", scale = 0.06, move = [0.5, 0.05, 0.5] }]",
+        "grid=48",
+        "dt=4e-4",
+    ];
+    let scene = varied("bunny", &overrides);
+    let bunny = allotrope_solvers::mesh::read_obj(include_bytes!("../solvers/scenes/bunny.obj")).unwrap();
+    let bunny = bunny.closed().unwrap().placed(0.06, [0.5, 0.05, 0.5]);
+    let distance = allotrope_solvers::mesh::SignedDistance::new(&bunny, 0.01);
+    let mut water = build(&scene, "soa+soa");
+    let deepest = |water: &dyn Simulation| {
+        let depths = water.positions().into_iter().filter_map(|x| distance.at(x)).map(|(distance, _)| -distance);
+        depths.fold(0.0, f64::max)
+    };
+    let wet = |water: &dyn Simulation| {
+        water.positions().into_iter().filter_map(|x| distance.at(x)).filter(|(distance, _)| *distance < 0.03).count()
+    };
+    assert_eq!(wet(&*water), 0);
+    let mut touched = 0;
+    for _ in 0..12 {
+        advance(&mut *water, Schedule::default(), 100);
+        assert!(deepest(&*water) < 1.5 * scene.dx(), "{} deep after {} steps", deepest(&*water), water.steps());
+        touched = touched.max(wet(&*water));
+    }
+    assert!(touched > 500, "{touched}");
+}
+
+#[test]
+fn memory_is_estimated_as_it_is_taken() {
+    let scenes = mpm().scenes.iter().map(|info| mpm().scene(info.name).unwrap());
+    let transfers = TRANSFERS.iter().map(|transfer| varied("disks", transfer));
+    for scene in scenes.chain(transfers) {
+        let simulation = build(&scene, "aos+row");
+        // Beside the fields, 128 bytes a particle with which it starts.
+        let estimated = scene.estimated_bytes(simulation.particles()) as f64 - 128.0 * simulation.particles() as f64;
+        let taken = simulation.bytes() as f64;
+        assert!(
+            (estimated / taken - 1.0).abs() < 0.02,
+            "{} {:?}: {estimated}, not {taken}",
+            scene.file,
+            scene.transfer
+        );
+    }
+}

@@ -10,8 +10,8 @@ impl Scene {
     /// and stress (`d^2` each) and two numbers of plasticity, and by the scheme its velocity (`d`), with APIC the
     /// velocity's gradient too (`d^2`), or with PolyPIC the coefficients of all modes (`d 3^d`); a fluid alone, with the
     /// default transfer and walls, only `2 d + d^2 + 1`. To this come 4 bytes for its number and 124 for the position,
-    /// velocity and gradient with which it starts. A node holds momentum and mass, `d + 1` words, and with FLIP the
-    /// momentum before, `d` more.
+    /// velocity and gradient with which it starts. A node holds momentum and mass, `d + 1` words, and with PIC and
+    /// FLIP the momentum before, `d` more.
     pub fn estimated_bytes(&self, particles: usize) -> u64 {
         particles as u64 * (4 * self.particle_words() + 4 + 124) + self.grid_bytes()
     }
@@ -70,7 +70,7 @@ impl Scene {
 /// Bytes of a node.
 pub(super) fn node_bytes(dimensions: usize, scheme: Scheme) -> u64 {
     let d = dimensions as u64;
-    4 * if matches!(scheme, Scheme::Flip { .. }) { 2 * d + 1 } else { d + 1 }
+    4 * if matches!(scheme, Scheme::Pic | Scheme::Flip { .. }) { 2 * d + 1 } else { d + 1 }
 }
 
 /// A size for a message.
