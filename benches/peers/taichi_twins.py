@@ -64,8 +64,8 @@ def laplacian(n):
     bench(f"7-point Laplacian {n}^3", run, max(3, (1 << 23) // n**3))
 
 
-def particle_to_grid(count, n):
-    """Particles as in `benches/workloads`: sorted by cell, interleaved, over a grid of interleaved nodes."""
+def particle_to_grid(count, n, ordered):
+    """Particles as in `benches/workloads`: interleaved, sorted by cell or as they are drawn, over interleaved nodes."""
     Point = ti.types.struct(x=ti.math.vec2, v=ti.math.vec2, c=ti.math.mat2, j=ti.f32)
     Node = ti.types.struct(v=ti.math.vec2, m=ti.f32)
     points, grid = Point.field(shape=count), Node.field(shape=(n, n))
@@ -73,7 +73,8 @@ def particle_to_grid(count, n):
     mass, volume, stiffness = (dx * 0.5) ** 2, (dx * 0.5) ** 2, 400.0
     x = np.random.default_rng(7).uniform(0.1, 0.9, (count, 2)).astype(np.float32)
     cell = (x * n - 0.5).astype(np.int64)
-    points.x.from_numpy(x[np.argsort(cell[:, 0] * n + cell[:, 1], kind="stable")])
+    order = np.argsort(cell[:, 0] * n + cell[:, 1], kind="stable") if ordered else np.arange(count)
+    points.x.from_numpy(x[order])
     points.j.fill(1.01)
 
     @ti.kernel
@@ -92,7 +93,7 @@ def particle_to_grid(count, n):
                 grid[base + offset].v += weight * (mass * points[p].v + affine @ dpos)
                 grid[base + offset].m += weight * mass
 
-    bench(f"P2G 2^{int(math.log2(count))} on {n}^2, AoS x AoS", run, 3)
+    bench(f"P2G 2^{int(math.log2(count))} on {n}^2, {'sorted' if ordered else 'as drawn'}", run, 3)
 
 
 for size in (1 << 24, 1 << 20, 1 << 17):
@@ -101,4 +102,6 @@ for size in (2048, 1024, 256):
     jacobi(size)
 for size in (192, 96, 48):
     laplacian(size)
-particle_to_grid(1 << 18, 512)
+particle_to_grid(1 << 18, 512, True)
+particle_to_grid(1 << 18, 512, False)
+particle_to_grid(1 << 20, 1024, False)
