@@ -17,10 +17,10 @@ use std::time::{Duration, Instant};
 use allotrope::prelude::*;
 use twins::Aligned;
 use twins::transfer::{Apart, Block, Blocks, Interleaved, NodeLists, NodeRecords};
-use twins::{stencils as hand_stencils, streams as hand_streams, transfer as hand};
+use twins::{bodies as hand_bodies, stencils as hand_stencils, streams as hand_streams, transfer as hand};
 use workloads::stencils::{Four, ramp};
 use workloads::transfer::{Mpm, Node, Point, sorted_points};
-use workloads::{stencils, streams, transfer};
+use workloads::{bodies, stencils, streams, transfer};
 
 /// Pairs of one kernel and one twin.
 struct Pairs {
@@ -42,11 +42,11 @@ impl Line {
     fn print(&mut self, cpu: Cpu) {
         let mut ratios: Vec<f64> = self.kernel.iter().zip(&self.twin).map(|(kernel, twin)| kernel / twin).collect();
         let (low, high) = bootstrap(&ratios);
+        let (kernel, twin) = (median(&mut self.kernel) * 1e3, median(&mut self.twin) * 1e3);
+        let digits = if kernel < 0.01 { 6 } else { 4 };
         println!(
-            "| {} | {cpu} | {:.4} | {:.4} | {:.3} | {low:.3} to {high:.3} |",
+            "| {} | {cpu} | {kernel:.digits$} | {twin:.digits$} | {:.3} | {low:.3} to {high:.3} |",
             self.name,
-            median(&mut self.kernel) * 1e3,
-            median(&mut self.twin) * 1e3,
             median(&mut ratios)
         );
     }
@@ -271,6 +271,68 @@ fn laplacian_pair(pairs: &Pairs, n: usize) {
     );
 }
 
+/// Loops that compute more than they move.
+fn body_pairs(pairs: &Pairs) {
+    let name = "n-body 4096, direct";
+    if pairs.wants(name) {
+        let places: Vec<[f32; 3]> =
+            (0..4096usize).map(|n| [n * 37 % 4096, n * 91 % 4096, n].map(|n| n as f32 / 4096.0)).collect();
+        let mut x = Field::<Vec3, Soa>::new([places.len()]);
+        places.iter().enumerate().for_each(|(n, &place)| x.set(n, Vec3::from_array(place)));
+        let mut a = Field::<Vec3, Soa>::new([places.len()]);
+        let mut hand = vec![[0.0; 3]; places.len()];
+        bodies::gravitate(&x, &mut a);
+        hand_bodies::gravitate(pairs.cpu, &places, &mut hand);
+        let ours: Vec<f32> = a.iter().flat_map(|a| a.to_array()).collect();
+        let largest = ours.iter().fold(0.0f32, |largest, a| largest.max(a.abs()));
+        same(name, &ours, hand.as_flattened(), 1e-4 * largest);
+        pairs.run(
+            name,
+            || bodies::gravitate(black_box(&x), &mut a),
+            || hand_bodies::gravitate(pairs.cpu, black_box(&places), &mut hand),
+        );
+    }
+    let name = "Julia 640 x 320, 50 iterations";
+    if pairs.wants(name) {
+        let mut counts = Field::<u32, Aos>::new([640, 320]);
+        let mut hand = vec![0; 640 * 320];
+        bodies::julia(&mut counts, 0.19);
+        hand_bodies::julia(pairs.cpu, 640, 320, 0.19, &mut hand);
+        let differ = counts.iter().zip(&hand).filter(|(ours, theirs)| ours != *theirs).count();
+        // Where products are contracted, a point in a thousand may leave an iteration earlier or later.
+        assert!(differ <= 640 * 320 / 1000, "{name}: {differ} points differ");
+        pairs.run(
+            name,
+            || bodies::julia(&mut counts, black_box(0.19)),
+            || hand_bodies::julia(pairs.cpu, 640, 320, black_box(0.19), &mut hand),
+        );
+    }
+    let name = "histogram 2^22 keys to 256";
+    if pairs.wants(name) {
+        let list: Vec<i32> = (0..1u32 << 22).map(|n| (n.wrapping_mul(2_654_435_761) >> 24) as i32).collect();
+        let mut keys = Field::<i32, Aos>::new([list.len()]);
+        keys.copy_from_slice(&list);
+        let mut counts = Field::<i32, Aos>::new([256]);
+        let mut hand = vec![0; 256];
+        bodies::histogram(&keys, &mut counts);
+        hand_bodies::histogram(pairs.cpu, &list, &mut hand);
+        assert_eq!(counts.to_vec(), hand, "{name}");
+        pairs.run(
+            name,
+            || bodies::histogram(black_box(&keys), &mut counts),
+            || hand_bodies::histogram(pairs.cpu, black_box(&list), &mut hand),
+        );
+    }
+    let name = "empty launch";
+    if pairs.wants(name) {
+        let mut one = Field::<f32, Aos>::new([1]);
+        let mut hand = [0.0f32];
+        bodies::empty(&mut one);
+        assert_eq!(one.to_vec(), [1.0]);
+        pairs.run(name, || bodies::empty(black_box(&mut one)), || *black_box(&mut hand) = [1.0]);
+    }
+}
+
 const SIDE: usize = 512;
 
 fn transfer_pairs(pairs: &Pairs) {
@@ -387,6 +449,7 @@ fn main() {
             stream_pairs(&pairs);
             jacobi_pairs(&pairs);
             laplacian_pairs(&pairs);
+            body_pairs(&pairs);
             transfer_pairs(&pairs);
         }
     });
