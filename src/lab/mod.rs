@@ -1,8 +1,10 @@
 //! The laboratory's commands, and what they are made of.
 
 pub mod bench;
+pub mod chart;
 pub mod checkpoint;
 pub mod cli;
+pub mod compare;
 pub mod errors;
 pub mod export;
 pub mod list;

@@ -36,9 +36,22 @@ impl Table {
     }
 }
 
+/// A number with four digits that count, so that columns of times can be compared at a glance.
+pub fn four_digits(value: f64) -> String {
+    let digits = (3 - value.abs().max(1e-9).log10().floor() as i32).clamp(0, 6);
+    format!("{value:.*}", digits as usize)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_have_four_digits() {
+        assert_eq!(four_digits(0.312_345), "0.3123");
+        assert_eq!(four_digits(41.238), "41.24");
+        assert_eq!(four_digits(0.0), "0.000000");
+    }
 
     #[test]
     fn columns_are_aligned() {

@@ -2,7 +2,7 @@
 
 use super::report::Report;
 use crate::lab::machine;
-use crate::lab::table::Table;
+use crate::lab::table::{Table, four_digits};
 
 /// What the table tells beside the report.
 pub(super) struct About {
@@ -65,21 +65,4 @@ pub(super) fn text(report: &Report, about: &About) -> String {
 
 fn error_digits(value: f64) -> String {
     if value == 0.0 { "0".into() } else { format!("{value:.1e}") }
-}
-
-fn four_digits(value: f64) -> String {
-    let digits = (3 - value.abs().max(1e-9).log10().floor() as i32).clamp(0, 6);
-    format!("{value:.*}", digits as usize)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_have_four_digits() {
-        assert_eq!(four_digits(0.312_345), "0.3123");
-        assert_eq!(four_digits(41.238), "41.24");
-        assert_eq!(four_digits(0.0), "0.000000");
-    }
 }
