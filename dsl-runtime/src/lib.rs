@@ -67,13 +67,15 @@
 //! | --- | --- |
 //! | `dense(ij)`, `dense(ji)` | a full block over the named axes, row-major, column-major |
 //! | `dense(ij, 8)`, `dense(ij, (4, 2))` | of constant size; any size, powers of two or not. The outermost node takes as many as the shape needs |
+//! | `morton(ij, 8)`, `morton(ij, (4, 16))` | a full block in Z-order, whose sizes are powers of two: cells that are near along any axis are near in memory |
 //! | `.aos` | record after record |
 //! | `.soa` | for each member, all values of the node |
 //! | `.split` | for each scalar component of each member, all values of the node |
 //! | `.place([v, m], [split(c)])` | groups: each is interleaved, groups follow one another; `split` takes a member apart. Written with its record: `layout!(Node: dense(ij).place(..))` |
 //!
 //! Named ones, for any axes: [`Aos`](layout::Aos), [`Soa`](layout::Soa), [`Split`](layout::Split), [`AoSoA<N>`](layout::AoSoA) (blocks of `N` along the last
-//! axis, each member by member) and [`Blocked<N>`](layout::Blocked) (blocks of `N` along every axis).
+//! axis, each member by member), [`Blocked<N>`](layout::Blocked) (blocks of `N` along every axis) and [`Morton<N>`](layout::Morton) (the same in
+//! Z-order). A layout has six nodes with a size at most.
 //!
 //! # Fields
 //!
@@ -148,7 +150,7 @@
 //!
 //! # Not available yet
 //!
-//! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`), `morton` and padding; nested records and enums; loops over borders and
+//! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`) and padding; nested records and enums; loops over borders and
 //! colours; single members as parameters; `#[relaxed]`, `#[ordered]` and atomics that return the old value; `clamped`, `wrapped` and `or` reads;
 //! random numbers; saving and loading. Where one of these words is used, the error says so.
 

@@ -3,8 +3,8 @@
 use syn::Ident;
 
 use super::model::{
-    AXES, Axis, AxisList, Branch, Group, LONGEST_NAME, Later, Layout, NAMED, Node, Place, PlaceKind, Placed, Size,
-    Sizes, Step, WORDS,
+    AXES, Axis, AxisList, Branch, Group, LONGEST_NAME, Later, Layout, MOST_NODES, NAMED, Node, Place, PlaceKind,
+    Placed, Size, Sizes, Step, WORDS,
 };
 use crate::diagnostics::{Code, Diagnostics};
 use crate::nearest::nearest;
@@ -23,6 +23,7 @@ pub(super) fn check(layout: &Layout, errors: &mut Diagnostics) {
         check_words(branch, errors);
         check_order(branch, errors);
         check_axes_used(branch, errors);
+        check_depth(branch, errors);
     }
     check_members(layout, errors);
 }
@@ -59,6 +60,23 @@ fn check_order(branch: &Branch, errors: &mut Diagnostics) {
     }
 }
 
+/// The order of memory is read off a list of constant length.
+fn check_depth(branch: &Branch, errors: &mut Diagnostics) {
+    let sized = branch.steps.iter().filter_map(|step| match step {
+        Step::Node(node) if node.sizes.is_some() => Some(&node.name),
+        _ => None,
+    });
+    if let Some(name) = sized.clone().nth(MOST_NODES) {
+        errors
+            .error(
+                Code::TooManyNodes,
+                name,
+                format!("the layout has {} nodes with a size, and can have {MOST_NODES} at most", sized.count()),
+            )
+            .help("make one node of some that nest: `dense(i, 4).dense(i, 2)` lies as `dense(i, 8)` does");
+    }
+}
+
 fn check_words(branch: &Branch, errors: &mut Diagnostics) {
     let mut along = [1u128; AXES.len()];
     for (number, step) in branch.steps.iter().enumerate() {
@@ -89,7 +107,7 @@ fn check_unknown(name: &Ident, errors: &mut Diagnostics) {
     let error = errors.error(Code::UnknownNode, name, format!("there is no node or place `{text}`"));
     match nearest(&text, WORDS) {
         Some(near) => error.help(format!("did you mean `{near}`?")),
-        None => error.help("the node is `dense`; the places are `aos`, `soa`, `split` and `place`"),
+        None => error.help("the nodes are `dense` and `morton`; the places are `aos`, `soa`, `split` and `place`"),
     };
 }
 
@@ -109,7 +127,19 @@ fn check_node(node: &Node, outermost: bool, errors: &mut Diagnostics) {
     }
     match &node.sizes {
         Some(sizes) => check_sizes(node, list, sizes, errors),
-        None if outermost => {}
+        None if outermost && !node.curve => {}
+        None if node.curve => {
+            errors
+                .error(
+                    Code::NoSize,
+                    name,
+                    "`morton` needs a size, since its cells are a constant number of whole bits along each axis",
+                )
+                .help(format!(
+                    "write `{name}({0}, 8)` for blocks of 8 cells an axis, as many as the shape needs",
+                    list.name
+                ));
+        }
         None => {
             errors
                 .error(
@@ -183,6 +213,16 @@ fn check_sizes(node: &Node, list: &AxisList, sizes: &Sizes, errors: &mut Diagnos
                 errors
                     .error(Code::WrongSize, literal, "the block is too large, since indices are `i32`")
                     .help("only the outermost node is large, and it has no size: the shape decides");
+            }
+            Size::Number(number, literal) if node.curve && !number.is_power_of_two() => {
+                let above = number.next_power_of_two();
+                errors
+                    .error(
+                        Code::NotAPowerOfTwo,
+                        literal,
+                        format!("the size {number} of a `{name}` block is no power of two, so it has no whole bits to interleave"),
+                    )
+                    .help(format!("the sizes near are {} and {above}; `dense` takes any", above / 2));
             }
             Size::Number(..) | Size::Constant(_) => {}
             Size::Wrong(at, Some(axes)) => {

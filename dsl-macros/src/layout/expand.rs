@@ -29,7 +29,8 @@ pub(super) fn expand(layout: &Layout) -> TokenStream {
     for node in nodes.into_iter().rev() {
         let order = order(node.axes.as_ref());
         let [a, b, c, d] = sizes(node);
-        inner = quote!(::allotrope::layout::Dense<#order, #a, #b, #c, #d, #inner>);
+        let kind = if node.curve { quote!(Curve) } else { quote!(Dense) };
+        inner = quote!(::allotrope::layout::#kind<#order, #a, #b, #c, #d, #inner>);
     }
     if let (Some(record), false) = (&layout.record, layout.names_members()) {
         // The name stands for nothing here, but must be a type's.

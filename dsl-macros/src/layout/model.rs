@@ -57,9 +57,11 @@ pub(super) enum Later {
     Pad,
 }
 
-/// A `dense` block.
+/// A `dense` or `morton` block.
 pub(super) struct Node {
     pub(super) name: Ident,
+    /// Whether its cells lie in Z-order: `morton`.
+    pub(super) curve: bool,
     /// `None`: nothing that could be read as axes stands there.
     pub(super) axes: Option<AxisList>,
     pub(super) sizes: Option<Sizes>,
@@ -148,7 +150,10 @@ pub(super) const WORDS: [&str; 11] =
     ["dense", "pointer", "bitmasked", "hash", "dynamic", "morton", "aos", "soa", "split", "place", "pad"];
 
 /// Layouts that have names of their own, which stand in a type without `layout!`.
-pub(super) const NAMED: [&str; 5] = ["Aos", "Soa", "Split", "AoSoA<N>", "Blocked<N>"];
+pub(super) const NAMED: [&str; 6] = ["Aos", "Soa", "Split", "AoSoA<N>", "Blocked<N>", "Morton<N>"];
+
+/// The most nodes of constant size that a layout may have.
+pub(super) const MOST_NODES: usize = 6;
 
 /// The most bytes that a placed member's name may have.
 pub(super) const LONGEST_NAME: usize = 32;
@@ -165,8 +170,9 @@ pub(super) fn model(syntax: Syntax) -> Layout {
 
 fn step(word: Word) -> Step {
     let kind = match word.name.to_string().as_str() {
-        "dense" => return Step::Node(node(word)),
-        "pointer" | "bitmasked" | "hash" | "dynamic" | "morton" => return Step::Later(word.name, Later::Node),
+        "dense" => return Step::Node(node(word, false)),
+        "morton" => return Step::Node(node(word, true)),
+        "pointer" | "bitmasked" | "hash" | "dynamic" => return Step::Later(word.name, Later::Node),
         "pad" => return Step::Later(word.name, Later::Pad),
         "place" => {
             let groups = word.arguments.unwrap_or_default().into_iter().map(group).collect();
@@ -184,12 +190,12 @@ fn step(word: Word) -> Step {
     Step::Place(Place { name: word.name, kind, surplus })
 }
 
-fn node(word: Word) -> Node {
+fn node(word: Word, curve: bool) -> Node {
     let mut arguments = word.arguments.unwrap_or_default().into_iter();
     let axes = arguments.next().and_then(|argument| name(&argument)).map(|name| axis_list(&name));
     let sizes = arguments.next().map(sizes);
     let surplus = arguments.next().map(Expr::into_token_stream);
-    Node { name: word.name, axes, sizes, surplus }
+    Node { name: word.name, curve, axes, sizes, surplus }
 }
 
 fn axis_list(name: &Ident) -> AxisList {

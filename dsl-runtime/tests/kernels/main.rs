@@ -4,6 +4,7 @@ mod accumulate;
 mod captures;
 mod loops;
 mod mpm;
+mod order;
 mod panics;
 mod reductions;
 mod stencils;

@@ -143,6 +143,35 @@ fn three_axes() {
 }
 
 #[test]
+fn blocks_in_z_order() {
+    check!([[1], [37]];
+        (morton(i, 8).soa);
+        (dense(i, 3).morton(i, 4).dense(i, 2).aos);
+    );
+    check!([[5, 7], [16, 16], [1, 13]];
+        (morton(ij, 4).aos);
+        (morton(ij, 8).soa);
+        (morton(ji, 4).split);
+        (dense(ji).morton(ij, (2, 8)).soa);
+        (dense(ij).morton(ij, (8, 2)).aos);
+        (dense(ij).morton(ij, 4).dense(ij, 3).soa);
+        (dense(ij).dense(ij, 3).morton(ji, (4, 2)).split);
+        (morton(ij, 2).morton(ij, 4).aos);
+        (dense(j).morton(i, 16).morton(j, 2).soa);
+        (morton(ij, 1).aos);
+    );
+    check!([[3, 4, 5], [7, 2, 6], [8, 8, 8]];
+        (morton(ijk, 4).aos);
+        (dense(kji).morton(jki, (2, 8, 4)).soa);
+        (dense(ijk).morton(ik, 4).dense(ijk, (1, 3, 2)).split);
+        (dense(ijk).dense(k, 3).morton(ijk, 2).aos);
+    );
+    check!(of Node: [[5, 7], [16, 16]];
+        (Node: morton(ij, 4).place([flags, v], [split(m)]));
+    );
+}
+
+#[test]
 fn an_axis_below_the_root_alone() {
     check!([[9, 4], [3, 2]];
         (dense(i).dense(j, 4).aos);
@@ -183,6 +212,7 @@ fn named_layouts_mean_what_their_pages_say() {
         "dense(i).aos" = Aos;
         "dense(i).dense(i, 16).soa" = AoSoA<16>;
         "dense(i).dense(i, 5).aos" = Blocked<5>;
+        "dense(i).dense(i, 4).aos" = Morton<4>;
     );
     check_named!([[5, 7], [16, 16]];
         "dense(ij).aos" = Aos;
@@ -190,11 +220,13 @@ fn named_layouts_mean_what_their_pages_say() {
         "dense(ij).split" = Split;
         "dense(ij).dense(j, 6).soa" = AoSoA<6>;
         "dense(ij).dense(ij, 4).aos" = Blocked<4>;
+        "dense(ij).morton(ij, 4).aos" = Morton<4>;
     );
     check_named!([[3, 4, 5], [7, 2, 6]];
         "dense(ijk).split" = Split;
         "dense(ijk).dense(k, 4).soa" = AoSoA<4>;
         "dense(ijk).dense(ijk, 3).aos" = Blocked<3>;
+        "morton(ijk, 2).aos" = Morton<2>;
     );
 }
 
