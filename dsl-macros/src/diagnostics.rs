@@ -161,6 +161,8 @@ codes! {
     NotAPowerOfTwo = A0418,
     /// A layout with more nodes of constant size than can be.
     TooManyNodes = A0419,
+    /// `pad` that is not right before the place, or not by a power of two.
+    WrongPad = A0420,
 }
 
 impl fmt::Display for Code {

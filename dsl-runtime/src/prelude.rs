@@ -1,6 +1,6 @@
 //! Everything that a program in Allotrope uses: `use allotrope::prelude::*;`
 
-pub use crate::axes::{Axes, I, Ij, Ijk};
+pub use crate::axes::{Axes, I, Ij, Ijk, Ijkl, O};
 pub use crate::field::Field;
 pub use crate::launch::cpu::Cpu;
 pub use crate::layout::{AoSoA, Aos, Blocked, Layout, Morton, Soa, Split};

@@ -3,8 +3,8 @@
 use syn::Ident;
 
 use super::model::{
-    AXES, Axis, AxisList, Branch, Group, LONGEST_NAME, Later, Layout, MOST_NODES, NAMED, Node, Place, PlaceKind,
-    Placed, Size, Sizes, Step, WORDS,
+    AXES, Axis, AxisList, Branch, Group, LONGEST_NAME, Layout, MOST_NODES, NAMED, Node, Pad, Place, PlaceKind, Placed,
+    Size, Sizes, Step, WIDEST_PAD, WORDS,
 };
 use crate::diagnostics::{Code, Diagnostics};
 use crate::nearest::nearest;
@@ -41,7 +41,7 @@ fn check_order(branch: &Branch, errors: &mut Diagnostics) {
                     format!("`{name}` stands after the place `{place}`, and a place closes the layout"),
                 )
                 .help(format!("put `{name}` before `{place}`, or leave it out"));
-        } else if number == 0 && matches!(step, Step::Place(_) | Step::Later(_, Later::Pad)) {
+        } else if number == 0 && matches!(step, Step::Place(_) | Step::Pad(_)) {
             errors
                 .error(Code::NoNode, name, format!("the layout begins with `{name}`, so there are no cells to place"))
                 .help(format!("begin with a node: `dense(ij).{name}`"));
@@ -86,10 +86,11 @@ fn check_words(branch: &Branch, errors: &mut Diagnostics) {
                 check_product(node, &mut along, errors);
             }
             Step::Place(place) => check_place(place, errors),
-            Step::Later(name, kind) => {
+            Step::Pad(pad) => check_pad(pad, branch.steps.get(number + 1), errors),
+            Step::Later(name) => {
                 errors
                     .error(Code::LaterNode, name, format!("`{name}` is not available in this version"))
-                    .help(if *kind == Later::Node { "write `dense` instead" } else { "leave it out" });
+                    .help("write `dense` instead");
             }
             Step::Unknown(name) => check_unknown(name, errors),
         }
@@ -268,9 +269,9 @@ fn check_axes_used(branch: &Branch, errors: &mut Diagnostics) {
             Step::Node(Node { axes: Some(list), .. }) if list.unknown.is_empty() => {
                 used.extend(list.axes.iter().map(|axis| (*axis, list)));
             }
-            Step::Place(_) | Step::Later(_, Later::Pad) => {}
+            Step::Place(_) | Step::Pad(_) => {}
             // Who knows which axes this was to have.
-            Step::Node(_) | Step::Later(_, Later::Node) | Step::Unknown(_) => return,
+            Step::Node(_) | Step::Later(_) | Step::Unknown(_) => return,
         }
     }
     let Some(&(highest, list)) = used.iter().max_by_key(|(axis, _)| *axis) else { return };
@@ -281,6 +282,47 @@ fn check_axes_used(branch: &Branch, errors: &mut Diagnostics) {
         errors
             .error(Code::MissingAxis, &list.name, message)
             .help(format!("the axes of a field begin with `i` and leave none out: name all of `{all}`"));
+    }
+}
+
+fn check_pad(pad: &Pad, next: Option<&Step>, errors: &mut Diagnostics) {
+    let name = &pad.name;
+    let right = "write a power of two up to 4096, a cache line say: `.pad(64)`";
+    match &pad.bytes {
+        None => {
+            errors
+                .error(
+                    Code::WrongArguments,
+                    name,
+                    format!("`{name}` does not say to how many bytes starts are aligned"),
+                )
+                .help(right);
+        }
+        Some(Size::Number(bytes, _)) if bytes.is_power_of_two() && *bytes <= WIDEST_PAD => {}
+        Some(Size::Number(bytes, literal)) => {
+            errors.error(Code::WrongPad, literal, format!("starts cannot be aligned to {bytes} bytes")).help(right);
+        }
+        Some(Size::Wrong(at, _)) => {
+            errors.error(Code::WrongPad, at, "this is no number of bytes").help(right);
+        }
+        Some(Size::Constant(_)) => {}
+    }
+    if let Some(surplus) = &pad.surplus {
+        errors
+            .error(Code::WrongArguments, surplus, format!("`{name}` takes a number of bytes, and no more"))
+            .help(right);
+    }
+    if let Some(next @ (Step::Node(_) | Step::Pad(_) | Step::Later(_))) = next {
+        errors
+            .error(
+                Code::WrongPad,
+                name,
+                format!(
+                    "`{name}` stands before `{}`, and it says how the place lies in the innermost node",
+                    next.name()
+                ),
+            )
+            .help(format!("put `{name}` once, right before the place"));
     }
 }
 

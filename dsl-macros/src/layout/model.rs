@@ -33,8 +33,9 @@ pub(super) struct Branch {
 pub(super) enum Step {
     Node(Node),
     Place(Place),
+    Pad(Pad),
     /// A word that the language has and this version has not.
-    Later(Ident, Later),
+    Later(Ident),
     /// A word that the language has not.
     Unknown(Ident),
 }
@@ -45,16 +46,10 @@ impl Step {
         match self {
             Self::Node(node) => &node.name,
             Self::Place(place) => &place.name,
-            Self::Later(name, _) | Self::Unknown(name) => name,
+            Self::Pad(pad) => &pad.name,
+            Self::Later(name) | Self::Unknown(name) => name,
         }
     }
-}
-
-/// What a word for later versions is.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Later {
-    Node,
-    Pad,
 }
 
 /// A `dense` or `morton` block.
@@ -114,6 +109,15 @@ pub(super) enum Size {
     Wrong(TokenStream, Option<Ident>),
 }
 
+/// `pad(64)`
+pub(super) struct Pad {
+    pub(super) name: Ident,
+    /// The bytes, read as a size is.
+    pub(super) bytes: Option<Size>,
+    /// The first argument too many.
+    pub(super) surplus: Option<TokenStream>,
+}
+
 /// How the innermost node's cells are placed.
 pub(super) struct Place {
     pub(super) name: Ident,
@@ -152,6 +156,9 @@ pub(super) const WORDS: [&str; 11] =
 /// Layouts that have names of their own, which stand in a type without `layout!`.
 pub(super) const NAMED: [&str; 6] = ["Aos", "Soa", "Split", "AoSoA<N>", "Blocked<N>", "Morton<N>"];
 
+/// The most bytes that starts can be aligned to: a page.
+pub(super) const WIDEST_PAD: u128 = 4096;
+
 /// The most nodes of constant size that a layout may have.
 pub(super) const MOST_NODES: usize = 6;
 
@@ -172,8 +179,8 @@ fn step(word: Word) -> Step {
     let kind = match word.name.to_string().as_str() {
         "dense" => return Step::Node(node(word, false)),
         "morton" => return Step::Node(node(word, true)),
-        "pointer" | "bitmasked" | "hash" | "dynamic" => return Step::Later(word.name, Later::Node),
-        "pad" => return Step::Later(word.name, Later::Pad),
+        "pointer" | "bitmasked" | "hash" | "dynamic" => return Step::Later(word.name),
+        "pad" => return Step::Pad(pad(word)),
         "place" => {
             let groups = word.arguments.unwrap_or_default().into_iter().map(group).collect();
             return Step::Place(Place { name: word.name, kind: PlaceKind::Groups(groups), surplus: None });
@@ -196,6 +203,12 @@ fn node(word: Word, curve: bool) -> Node {
     let sizes = arguments.next().map(sizes);
     let surplus = arguments.next().map(Expr::into_token_stream);
     Node { name: word.name, curve, axes, sizes, surplus }
+}
+
+fn pad(word: Word) -> Pad {
+    let mut arguments = word.arguments.unwrap_or_default().into_iter();
+    let bytes = arguments.next().map(size);
+    Pad { name: word.name, bytes, surplus: arguments.next().map(Expr::into_token_stream) }
 }
 
 fn axis_list(name: &Ident) -> AxisList {

@@ -146,7 +146,7 @@ fn words() {
     assert!(message(quote!(AoSoA(16))).contains("write `AoSoA<N>` alone"));
     assert!(message(quote!(dense(ij).interleaved)).contains("the places are"));
     assert_eq!(codes(quote!(pointer(ij, 16).dense(ij, 8).aos)), [Code::LaterNode]);
-    assert_eq!(codes(quote!(hash(ijk).bitmasked(ijk, 8).pad(64).soa)), [Code::LaterNode; 3]);
+    assert_eq!(codes(quote!(hash(ijk).bitmasked(ijk, 8).pad(64).soa)), [Code::LaterNode; 2]);
     assert_eq!(codes(quote!(dense(i).dynamic(j, 1024, chunk = 32).aos)), [Code::LaterNode]);
     assert_eq!(codes(quote!(Node: dense(ij).place([v]) + hash(ij).place([m]))), [Code::LaterNode; 2]);
 }
@@ -246,4 +246,20 @@ fn depth() {
     let sized = quote!(dense(i, 2).morton(i, 2).dense(i, 2).dense(i, 2).dense(i, 2));
     assert_eq!(codes(quote!(#sized.dense(i, 2).aos)), []);
     assert_eq!(codes(quote!(#sized.dense(i, 2).dense(i, 2).aos)), [Code::TooManyNodes]);
+}
+
+#[test]
+fn padding() {
+    assert_eq!(short(quote!(dense(ij).pad(64).aos)), "Tree<0x12,Padded<64,PlaceAos>>");
+    assert_eq!(short(quote!(dense(i, 8).pad(LINE).soa)), "Tree<0x1,Dense<0x1,8,1,1,1,Padded<{LINE},PlaceSoa>>>");
+    assert_eq!(codes(quote!(dense(ij).pad.aos)), [Code::WrongArguments]);
+    assert_eq!(codes(quote!(dense(ij).pad(64, 32).aos)), [Code::WrongArguments]);
+    for wrong in [quote!(0), quote!(48), quote!(8192), quote!(-8), quote!("64"), quote!(i)] {
+        assert_eq!(codes(quote!(dense(ij).pad(#wrong).aos)), [Code::WrongPad], "{wrong}");
+    }
+    assert_eq!(codes(quote!(dense(ij).pad(64).dense(ij, 8).aos)), [Code::WrongPad]);
+    assert_eq!(codes(quote!(dense(ij).pad(64).pad(64).aos)), [Code::WrongPad]);
+    assert_eq!(codes(quote!(dense(ij).aos.pad(64))), [Code::AfterPlace]);
+    assert_eq!(codes(quote!(dense(ij).pad(64))), [Code::NoPlace]);
+    assert_eq!(codes(quote!(pad(64).aos)), [Code::NoNode]);
 }

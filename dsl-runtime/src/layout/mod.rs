@@ -17,7 +17,7 @@ pub use node::{ALL, LAST};
 pub use node::{Digit, Inner};
 #[doc(hidden)]
 pub use place::{Entry, Named, Place, Spec, Taken};
-pub use place::{PlaceAos, PlaceGroups, PlaceSoa, PlaceSplit};
+pub use place::{Padded, PlaceAos, PlaceGroups, PlaceSoa, PlaceSplit};
 
 use crate::axes::{Axes, PerAxis};
 use crate::element::Sealed;

@@ -37,7 +37,8 @@ pub(crate) const fn chain(digit: Digit, below: &[Digit]) -> [Digit; MOST_NODES] 
 pub(crate) const fn sizes<X: Axes>(code: u32, given: PerAxis) -> PerAxis {
     let (axes, count) = order::<X>(code);
     let (mut sizes, mut n) = ([1; MAX_AXES], 0);
-    while n < count {
+    // Without axes there is one cell, however many a named layout has along each.
+    while n < count && X::RANK > 0 {
         sizes[axes[n]] = given[axes[n]];
         n += 1;
     }
@@ -125,10 +126,11 @@ pub(crate) fn rows<N: Inner<X>, X: Axes>(mut row: impl FnMut(PerAxis)) {
 }
 
 /// The axes of a node in memory order, read from `ORDER`: one hexadecimal digit an axis, the first axis highest.
-/// [`ALL`] stands for every axis of the field, [`LAST`] for its last one.
+/// [`ALL`] stands for every axis of the field, [`LAST`] for its last one; a field without axes lies as one of one element.
 pub(crate) const fn order<X: Axes>(code: u32) -> ([usize; MAX_AXES], usize) {
     let mut axes = [0; MAX_AXES];
     match code {
+        ALL | LAST if X::RANK == 0 => (axes, 1),
         ALL => {
             let mut a = 0;
             while a < X::RANK {

@@ -41,6 +41,7 @@ fn jacobi_in_any_layout() {
     run::<Blocked<4>>(jacobi);
     run::<layout!(dense(ji).dense(ij, (3, 5)).soa)>(jacobi);
     run::<Morton<8>>(jacobi);
+    run::<layout!(dense(ij).dense(ij, 4).pad(32).soa)>(jacobi);
     run::<layout!(dense(ij).morton(ji, (4, 2)).dense(ij, 3).soa)>(jacobi_vectors);
 }
 

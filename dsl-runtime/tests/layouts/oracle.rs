@@ -40,6 +40,11 @@ pub(crate) fn map(text: &str, shape: &[usize], members: &[Member]) -> Map {
     let chain = text.split_once(':').map_or(text.as_str(), |(_, chain)| chain);
     let mut words = split(chain, '.');
     let place = words.pop().expect("a place");
+    let pad: usize = match words.last().and_then(|word| word.strip_prefix("pad")) {
+        Some(bytes) => arguments(bytes)[0].parse().expect("bytes"),
+        None => 1,
+    };
+    words.retain(|word| !word.starts_with("pad"));
     let mut nodes: Vec<(bool, Axes)> = words.iter().map(|word| (word.starts_with("morton"), node(word))).collect();
     if nodes[0].1.iter().any(|(_, size)| size.is_some()) {
         nodes.insert(0, (false, nodes[0].1.iter().map(|&(axis, _)| (axis, None)).collect()));
@@ -61,9 +66,11 @@ pub(crate) fn map(text: &str, shape: &[usize], members: &[Member]) -> Map {
     let levels: Vec<Level> = std::iter::once(root).chain(inner).collect();
     let widest = members.iter().map(|member| member.bytes).max().expect("members");
     // Runs begin at multiples of the widest scalar; those of a field that is one run a stream, at cache lines.
-    let align = if levels.len() == 1 { 64 } else { widest };
+    let align = if levels.len() == 1 { 64 } else { widest }.max(pad);
+    // Interleaved records are padded each.
+    let cell = if place == "aos" { pad } else { 1 };
     let mut pen =
-        Pen { levels, shape, members, streams: streams(place, members), align, at: 0, offsets: HashMap::new() };
+        Pen { levels, shape, members, streams: streams(place, members), align, cell, at: 0, offsets: HashMap::new() };
     pen.node(0, vec![0; shape.len()]);
     Map { offsets: pen.offsets, bytes: pen.at }
 }
@@ -129,7 +136,10 @@ struct Pen<'a> {
     shape: &'a [usize],
     members: &'a [Member],
     streams: Vec<Stream>,
+    /// What runs begin at.
     align: usize,
+    /// What cells of interleaved members begin at, besides their widest scalar.
+    cell: usize,
     at: usize,
     offsets: HashMap<(Vec<usize>, usize, usize), usize>,
 }
@@ -193,7 +203,7 @@ impl Pen<'_> {
                                 self.component(cell, m, component);
                             }
                         }
-                        self.at = self.at.next_multiple_of(widest);
+                        self.at = self.at.next_multiple_of(widest).next_multiple_of(self.cell);
                     }
                     self.at = self.at.next_multiple_of(self.align);
                 }
