@@ -157,6 +157,12 @@ codes! {
     WrongArguments = A0416,
     /// Something that is no chain of nodes.
     NotALayout = A0417,
+    /// A `morton` block whose size is no power of two.
+    NotAPowerOfTwo = A0418,
+    /// A layout with more nodes of constant size than can be.
+    TooManyNodes = A0419,
+    /// `pad` that is not right before the place, or not by a power of two.
+    WrongPad = A0420,
 }
 
 impl fmt::Display for Code {

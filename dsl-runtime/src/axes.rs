@@ -11,14 +11,17 @@ pub(crate) type PerAxis = [usize; MAX_AXES];
 /// The names of the axes, in order.
 pub(crate) const AXIS_NAMES: [&str; MAX_AXES] = ["i", "j", "k", "l"];
 
-/// The axes of a field, its third parameter: [`I`], [`Ij`] or [`Ijk`].
-#[diagnostic::on_unimplemented(message = "`{Self}` names no axes", note = "the axes of a field are `I`, `Ij` or `Ijk`")]
+/// The axes of a field, its third parameter: [`O`], [`I`], [`Ij`], [`Ijk`] or [`Ijkl`].
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` names no axes",
+    note = "the axes of a field are `O`, `I`, `Ij`, `Ijk` or `Ijkl`"
+)]
 pub trait Axes: Copy + Send + Sync + Sealed + 'static {
     /// How many there are.
     const RANK: usize;
-    /// What a loop variable over them is: `i32`, `IVec2` or `IVec3`.
+    /// What a loop variable over them is: `()`, `i32`, `IVec2`, `IVec3` or `IVec4`.
     type Index: Copy + Send + Sync + core::fmt::Debug + PartialEq + crate::index::IntoIndex<Self>;
-    /// The same as a tuple: `(i32,)`, `(i32, i32)` or `(i32, i32, i32)`.
+    /// The same as a tuple: `()`, `(i32,)`, `(i32, i32)` and so on.
     type Tuple: Copy;
     /// Extents along them: `[usize; RANK]`.
     type Extents: Copy + core::fmt::Debug + AsRef<[usize]>;
@@ -30,7 +33,7 @@ pub trait Axes: Copy + Send + Sync + Sealed + 'static {
     fn extents(at: PerAxis) -> Self::Extents;
 }
 
-/// Extents that a field can be made from: `[n]`, `[n, m]`, `[n, m, l]`.
+/// Extents that a field can be made from: `[]`, `[n]`, `[n, m]` and so on, up to four.
 pub trait Shape: Copy + Sealed {
     /// The axes that so many extents mean.
     type X: Axes;
@@ -39,7 +42,7 @@ pub trait Shape: Copy + Sealed {
 }
 
 macro_rules! axes {
-    ($($name:ident, $rank:literal, $index:ty, $tuple:ty, $doc:literal, |$at:ident| $make:expr, $make_tuple:expr;)*) => {$(
+    ($($name:ident, $rank:literal, $index:ty, $tuple:ty, $doc:literal, |$at:pat_param| $make:expr, $make_tuple:expr;)*) => {$(
         #[doc = $doc]
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub struct $name;
@@ -72,9 +75,11 @@ macro_rules! axes {
     )*};
 }
 axes! {
+    O, 0, (), (), "No axes: a single record, indexed by `()`.", |_| (), ();
     I, 1, i32, (i32,), "One axis, `i`: lists of particles, vectors. The default.", |at| at[0], (at[0],);
     Ij, 2, glam::IVec2, (i32, i32), "Two axes, `i` and `j`: images, grids.", |at| glam::ivec2(at[0], at[1]), (at[0], at[1]);
     Ijk, 3, glam::IVec3, (i32, i32, i32), "Three axes, `i`, `j` and `k`: volumes.", |at| glam::ivec3(at[0], at[1], at[2]), (at[0], at[1], at[2]);
+    Ijkl, 4, glam::IVec4, (i32, i32, i32, i32), "Four axes, `i`, `j`, `k` and `l`: volumes of phase space.", |at| glam::IVec4::from_array(at), at.into();
 }
 
 /// One value an axis, written out: no loop hides the places from the optimiser.

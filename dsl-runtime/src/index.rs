@@ -1,6 +1,6 @@
 //! What an element can be indexed by: any integers, converted with a check.
 
-use crate::axes::{Axes, I, Ij, Ijk, MAX_AXES};
+use crate::axes::{Axes, I, Ij, Ijk, Ijkl, MAX_AXES, O};
 use crate::element::Sealed;
 
 /// An integer that can index or bound a loop.
@@ -36,7 +36,7 @@ integers!(i8 i16 i32 i64 isize u8 u16 u32 u64 usize);
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no index of a field over `{X}`",
     label = "not an index of this field",
-    note = "`I` is indexed by an integer, `Ij` by an IVec2 or two integers, `Ijk` by an IVec3 or three integers; write `x as i32` for a float"
+    note = "`I` is indexed by an integer, `Ij` by an IVec2 or two integers, `Ijk` by an IVec3 or three integers, `Ijkl` by an IVec4 or four, `O` by `()`; write `x as i32` for a float"
 )]
 pub trait IntoIndex<X: Axes>: Copy + Sealed {
     /// The coordinates; what no field reaches stays out of reach.
@@ -48,6 +48,13 @@ impl<T: Integer> IntoIndex<I> for T {
     #[inline(always)]
     fn coordinates(self) -> [i64; MAX_AXES] {
         [self.wide(), 0, 0, 0]
+    }
+}
+impl Sealed for () {}
+impl IntoIndex<O> for () {
+    #[inline(always)]
+    fn coordinates(self) -> [i64; MAX_AXES] {
+        [0; MAX_AXES]
     }
 }
 impl<T> Sealed for (T,) {}
@@ -72,10 +79,19 @@ impl<T: Integer, U: Integer, V: Integer> IntoIndex<Ijk> for (T, U, V) {
     }
 }
 
+impl<T, U, V, W> Sealed for (T, U, V, W) {}
+impl<T: Integer, U: Integer, V: Integer, W: Integer> IntoIndex<Ijkl> for (T, U, V, W) {
+    #[inline(always)]
+    fn coordinates(self) -> [i64; MAX_AXES] {
+        [self.0.wide(), self.1.wide(), self.2.wide(), self.3.wide()]
+    }
+}
+
 macro_rules! vectors {
     (@place x) => { 0 };
     (@place y) => { 1 };
     (@place z) => { 2 };
+    (@place w) => { 3 };
     ($($vector:ty => $axes:ty, $($component:ident)*;)*) => {$(
         impl IntoIndex<$axes> for $vector {
             #[inline(always)]
@@ -90,6 +106,7 @@ macro_rules! vectors {
 vectors! {
     glam::IVec2 => Ij, x y; glam::UVec2 => Ij, x y;
     glam::IVec3 => Ijk, x y z; glam::UVec3 => Ijk, x y z;
+    glam::IVec4 => Ijkl, x y z w; glam::UVec4 => Ijkl, x y z w;
 }
 
 macro_rules! arrays {
@@ -112,14 +129,22 @@ macro_rules! arrays {
                 [self[0].wide(), self[1].wide(), self[2].wide(), 0]
             }
         }
+        impl IntoIndex<Ijkl> for [$integer; 4] {
+            #[inline(always)]
+            fn coordinates(self) -> [i64; MAX_AXES] {
+                self.map(Integer::wide)
+            }
+        }
     )*};
 }
 arrays!(i32 u32 i64 u64);
 
 // `[usize; N]` is sealed on its own: `usize` is no element.
+impl Sealed for [usize; 0] {}
 impl Sealed for [usize; 1] {}
 impl Sealed for [usize; 2] {}
 impl Sealed for [usize; 3] {}
+impl Sealed for [usize; 4] {}
 arrays!(usize);
 
 /// Whether the coordinates lie within the extents, and they as unsigned numbers.

@@ -60,24 +60,28 @@
 //! # Layouts
 //!
 //! A layout is a chain of nodes from the root down, closed by how the records of the innermost one are placed. It says nothing of the
-//! record (unless it names members, and then it says whose), so that the same layout serves any. Axes are `i j k`, and their order is the
+//! record (unless it names members, and then it says whose), so that the same layout serves any. Axes are `i j k l`, and their order is the
 //! order in memory, the last fastest.
 //!
 //! | part | meaning |
 //! | --- | --- |
 //! | `dense(ij)`, `dense(ji)` | a full block over the named axes, row-major, column-major |
 //! | `dense(ij, 8)`, `dense(ij, (4, 2))` | of constant size; any size, powers of two or not. The outermost node takes as many as the shape needs |
+//! | `morton(ij, 8)`, `morton(ij, (4, 16))` | a full block in Z-order, whose sizes are powers of two: cells that are near along any axis are near in memory |
+//! | `.pad(64)` before the place | each record (`.aos`) or run of values (the others) begins at a multiple of so many bytes, a power of two up to 4096 |
 //! | `.aos` | record after record |
 //! | `.soa` | for each member, all values of the node |
 //! | `.split` | for each scalar component of each member, all values of the node |
 //! | `.place([v, m], [split(c)])` | groups: each is interleaved, groups follow one another; `split` takes a member apart. Written with its record: `layout!(Node: dense(ij).place(..))` |
 //!
 //! Named ones, for any axes: [`Aos`](layout::Aos), [`Soa`](layout::Soa), [`Split`](layout::Split), [`AoSoA<N>`](layout::AoSoA) (blocks of `N` along the last
-//! axis, each member by member) and [`Blocked<N>`](layout::Blocked) (blocks of `N` along every axis).
+//! axis, each member by member), [`Blocked<N>`](layout::Blocked) (blocks of `N` along every axis) and [`Morton<N>`](layout::Morton) (the same in
+//! Z-order). A layout has six nodes with a size at most.
 //!
 //! # Fields
 //!
-//! [`Field::new`] makes a field of zeros; the axes ([`I`], [`Ij`], [`Ijk`]) follow from the extents. Outside of kernels a field has `get`,
+//! [`Field::new`] makes a field of zeros, [`with_background`](Field::with_background) one of something else; the axes ([`I`], [`Ij`], [`Ijk`], [`Ijkl`], and [`O`] for a single
+//! record, made by `new([])` and indexed by `[()]`) follow from the extents. Outside of kernels a field has `get`,
 //! `set`, `iter`, `fill`, `relayout`, and [`members`](Field::members) and [`members_mut`](Field::members_mut) for one member at a time. Values come and go in
 //! logical row-major order, whatever the layout. An index out of range panics, or is an error where the name begins with `try_`.
 //!
@@ -89,7 +93,7 @@
 //!
 //! | loop head | runs over |
 //! | --- | --- |
-//! | `for p in points`, `for ij in grid`, `for (i, j) in grid` | the field's elements, each thread in the order in which they lie in memory. The index is `i32`, `IVec2` or `IVec3`, or a tuple of `i32` |
+//! | `for p in points`, `for ij in grid`, `for (i, j) in grid` | the field's elements, each thread in the order in which they lie in memory. The index is `i32`, `IVec2`, `IVec3` or `IVec4`, or a tuple of `i32` |
 //! | `for (i, j) in grid.interior(1)` | all but a border of that width |
 //! | `for i in 0..n`, `for (i, j) in ndrange!(0..n, 0..m)` | a range, without a field |
 //! | `for (a, b) in unroll!(0..3, 0..3)` | inner loops only: constants, unrolled at compile time |
@@ -148,7 +152,7 @@
 //!
 //! # Not available yet
 //!
-//! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`), `morton` and padding; nested records and enums; loops over borders and
+//! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`); indices below zero (`with_origin`); nested records and enums; loops over borders and
 //! colours; single members as parameters; `#[relaxed]`, `#[ordered]` and atomics that return the old value; `clamped`, `wrapped` and `or` reads;
 //! random numbers; saving and loading. Where one of these words is used, the error says so.
 
@@ -176,7 +180,7 @@ pub mod __private;
 pub mod prelude;
 
 pub use allotrope_macros::{Record, kernel, layout};
-pub use axes::{Axes, I, Ij, Ijk, Shape};
+pub use axes::{Axes, I, Ij, Ijk, Ijkl, O, Shape};
 pub use element::{Element, Scalar};
 pub use field::{Field, Member, MemberMut, OutOfRange, Permutation, Records, ShapeError};
 pub use index::{Integer, IntoIndex};

@@ -1,9 +1,9 @@
 //! Everything that a program in Allotrope uses: `use allotrope::prelude::*;`
 
-pub use crate::axes::{Axes, I, Ij, Ijk};
+pub use crate::axes::{Axes, I, Ij, Ijk, Ijkl, O};
 pub use crate::field::Field;
 pub use crate::launch::cpu::Cpu;
-pub use crate::layout::{AoSoA, Aos, Blocked, Layout, Soa, Split};
+pub use crate::layout::{AoSoA, Aos, Blocked, Layout, Morton, Soa, Split};
 pub use crate::record::Record;
 pub use crate::schedule::{Scatter, Schedule};
 pub use allotrope_macros::{Record, kernel, layout};

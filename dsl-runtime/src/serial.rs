@@ -231,6 +231,14 @@ impl<T: Integer, U: Integer, V: Integer> Ranges for (Range<T>, Range<U>, Range<V
     }
 }
 
+impl<T: Integer, U: Integer, V: Integer, W: Integer> Ranges for (Range<T>, Range<U>, Range<V>, Range<W>) {
+    type Item = (T, U, V, W);
+    fn walk(self) -> impl Iterator<Item = Self::Item> {
+        let (outer, inner) = ((self.0, self.1, self.2), span(self.3));
+        outer.walk().flat_map(move |(i, j, k)| inner.clone().map(move |l| (i, j, k, l)))
+    }
+}
+
 /// `ndrange!` in a serial loop.
 pub fn ndrange<T: Ranges>(ranges: T) -> impl Iterator<Item = T::Item> {
     ranges.walk()

@@ -3,8 +3,8 @@
 use syn::Ident;
 
 use super::model::{
-    AXES, Axis, AxisList, Branch, Group, LONGEST_NAME, Later, Layout, NAMED, Node, Place, PlaceKind, Placed, Size,
-    Sizes, Step, WORDS,
+    AXES, Axis, AxisList, Branch, Group, LONGEST_NAME, Layout, MOST_NODES, NAMED, Node, Pad, Place, PlaceKind, Placed,
+    Size, Sizes, Step, WIDEST_PAD, WORDS,
 };
 use crate::diagnostics::{Code, Diagnostics};
 use crate::nearest::nearest;
@@ -23,6 +23,7 @@ pub(super) fn check(layout: &Layout, errors: &mut Diagnostics) {
         check_words(branch, errors);
         check_order(branch, errors);
         check_axes_used(branch, errors);
+        check_depth(branch, errors);
     }
     check_members(layout, errors);
 }
@@ -40,7 +41,7 @@ fn check_order(branch: &Branch, errors: &mut Diagnostics) {
                     format!("`{name}` stands after the place `{place}`, and a place closes the layout"),
                 )
                 .help(format!("put `{name}` before `{place}`, or leave it out"));
-        } else if number == 0 && matches!(step, Step::Place(_) | Step::Later(_, Later::Pad)) {
+        } else if number == 0 && matches!(step, Step::Place(_) | Step::Pad(_)) {
             errors
                 .error(Code::NoNode, name, format!("the layout begins with `{name}`, so there are no cells to place"))
                 .help(format!("begin with a node: `dense(ij).{name}`"));
@@ -59,6 +60,23 @@ fn check_order(branch: &Branch, errors: &mut Diagnostics) {
     }
 }
 
+/// The order of memory is read off a list of constant length.
+fn check_depth(branch: &Branch, errors: &mut Diagnostics) {
+    let sized = branch.steps.iter().filter_map(|step| match step {
+        Step::Node(node) if node.sizes.is_some() => Some(&node.name),
+        _ => None,
+    });
+    if let Some(name) = sized.clone().nth(MOST_NODES) {
+        errors
+            .error(
+                Code::TooManyNodes,
+                name,
+                format!("the layout has {} nodes with a size, and can have {MOST_NODES} at most", sized.count()),
+            )
+            .help("make one node of some that nest: `dense(i, 4).dense(i, 2)` lies as `dense(i, 8)` does");
+    }
+}
+
 fn check_words(branch: &Branch, errors: &mut Diagnostics) {
     let mut along = [1u128; AXES.len()];
     for (number, step) in branch.steps.iter().enumerate() {
@@ -68,10 +86,11 @@ fn check_words(branch: &Branch, errors: &mut Diagnostics) {
                 check_product(node, &mut along, errors);
             }
             Step::Place(place) => check_place(place, errors),
-            Step::Later(name, kind) => {
+            Step::Pad(pad) => check_pad(pad, branch.steps.get(number + 1), errors),
+            Step::Later(name) => {
                 errors
                     .error(Code::LaterNode, name, format!("`{name}` is not available in this version"))
-                    .help(if *kind == Later::Node { "write `dense` instead" } else { "leave it out" });
+                    .help("write `dense` instead");
             }
             Step::Unknown(name) => check_unknown(name, errors),
         }
@@ -89,7 +108,7 @@ fn check_unknown(name: &Ident, errors: &mut Diagnostics) {
     let error = errors.error(Code::UnknownNode, name, format!("there is no node or place `{text}`"));
     match nearest(&text, WORDS) {
         Some(near) => error.help(format!("did you mean `{near}`?")),
-        None => error.help("the node is `dense`; the places are `aos`, `soa`, `split` and `place`"),
+        None => error.help("the nodes are `dense` and `morton`; the places are `aos`, `soa`, `split` and `place`"),
     };
 }
 
@@ -109,7 +128,19 @@ fn check_node(node: &Node, outermost: bool, errors: &mut Diagnostics) {
     }
     match &node.sizes {
         Some(sizes) => check_sizes(node, list, sizes, errors),
-        None if outermost => {}
+        None if outermost && !node.curve => {}
+        None if node.curve => {
+            errors
+                .error(
+                    Code::NoSize,
+                    name,
+                    "`morton` needs a size, since its cells are a constant number of whole bits along each axis",
+                )
+                .help(format!(
+                    "write `{name}({0}, 8)` for blocks of 8 cells an axis, as many as the shape needs",
+                    list.name
+                ));
+        }
         None => {
             errors
                 .error(
@@ -184,6 +215,16 @@ fn check_sizes(node: &Node, list: &AxisList, sizes: &Sizes, errors: &mut Diagnos
                     .error(Code::WrongSize, literal, "the block is too large, since indices are `i32`")
                     .help("only the outermost node is large, and it has no size: the shape decides");
             }
+            Size::Number(number, literal) if node.curve && !number.is_power_of_two() => {
+                let above = number.next_power_of_two();
+                errors
+                    .error(
+                        Code::NotAPowerOfTwo,
+                        literal,
+                        format!("the size {number} of a `{name}` block is no power of two, so it has no whole bits to interleave"),
+                    )
+                    .help(format!("the sizes near are {} and {above}; `dense` takes any", above / 2));
+            }
             Size::Number(..) | Size::Constant(_) => {}
             Size::Wrong(at, Some(axes)) => {
                 errors
@@ -228,9 +269,9 @@ fn check_axes_used(branch: &Branch, errors: &mut Diagnostics) {
             Step::Node(Node { axes: Some(list), .. }) if list.unknown.is_empty() => {
                 used.extend(list.axes.iter().map(|axis| (*axis, list)));
             }
-            Step::Place(_) | Step::Later(_, Later::Pad) => {}
+            Step::Place(_) | Step::Pad(_) => {}
             // Who knows which axes this was to have.
-            Step::Node(_) | Step::Later(_, Later::Node) | Step::Unknown(_) => return,
+            Step::Node(_) | Step::Later(_) | Step::Unknown(_) => return,
         }
     }
     let Some(&(highest, list)) = used.iter().max_by_key(|(axis, _)| *axis) else { return };
@@ -241,6 +282,47 @@ fn check_axes_used(branch: &Branch, errors: &mut Diagnostics) {
         errors
             .error(Code::MissingAxis, &list.name, message)
             .help(format!("the axes of a field begin with `i` and leave none out: name all of `{all}`"));
+    }
+}
+
+fn check_pad(pad: &Pad, next: Option<&Step>, errors: &mut Diagnostics) {
+    let name = &pad.name;
+    let right = "write a power of two up to 4096, a cache line say: `.pad(64)`";
+    match &pad.bytes {
+        None => {
+            errors
+                .error(
+                    Code::WrongArguments,
+                    name,
+                    format!("`{name}` does not say to how many bytes starts are aligned"),
+                )
+                .help(right);
+        }
+        Some(Size::Number(bytes, _)) if bytes.is_power_of_two() && *bytes <= WIDEST_PAD => {}
+        Some(Size::Number(bytes, literal)) => {
+            errors.error(Code::WrongPad, literal, format!("starts cannot be aligned to {bytes} bytes")).help(right);
+        }
+        Some(Size::Wrong(at, _)) => {
+            errors.error(Code::WrongPad, at, "this is no number of bytes").help(right);
+        }
+        Some(Size::Constant(_)) => {}
+    }
+    if let Some(surplus) = &pad.surplus {
+        errors
+            .error(Code::WrongArguments, surplus, format!("`{name}` takes a number of bytes, and no more"))
+            .help(right);
+    }
+    if let Some(next @ (Step::Node(_) | Step::Pad(_) | Step::Later(_))) = next {
+        errors
+            .error(
+                Code::WrongPad,
+                name,
+                format!(
+                    "`{name}` stands before `{}`, and it says how the place lies in the innermost node",
+                    next.name()
+                ),
+            )
+            .help(format!("put `{name}` once, right before the place"));
     }
 }
 

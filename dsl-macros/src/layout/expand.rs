@@ -5,7 +5,9 @@ use quote::quote;
 use syn::Path;
 use syn::ext::IdentExt;
 
-use super::model::{AXES, Axis, AxisList, Group, LONGEST_NAME, Layout, Node, Place, PlaceKind, Placed, Size, Step};
+use super::model::{
+    AXES, Axis, AxisList, Group, LONGEST_NAME, Layout, Node, Pad, Place, PlaceKind, Placed, Size, Step,
+};
 
 /// The type of a layout that has passed every check.
 pub(super) fn expand(layout: &Layout) -> TokenStream {
@@ -13,6 +15,7 @@ pub(super) fn expand(layout: &Layout) -> TokenStream {
     let mut root = None;
     let mut nodes = Vec::new();
     let mut inner = TokenStream::new();
+    let mut pad = None;
     for step in steps {
         match step {
             Step::Node(node) => {
@@ -23,13 +26,19 @@ pub(super) fn expand(layout: &Layout) -> TokenStream {
                 }
             }
             Step::Place(found) => inner = place(found, layout.record.as_ref()),
-            Step::Later(..) | Step::Unknown(_) => {}
+            Step::Pad(found) => pad = Some(found),
+            Step::Later(_) | Step::Unknown(_) => {}
         }
+    }
+    if let Some(Pad { bytes: Some(bytes), .. }) = pad {
+        let bytes = size(Some(bytes));
+        inner = quote!(::allotrope::layout::Padded<#bytes, #inner>);
     }
     for node in nodes.into_iter().rev() {
         let order = order(node.axes.as_ref());
         let [a, b, c, d] = sizes(node);
-        inner = quote!(::allotrope::layout::Dense<#order, #a, #b, #c, #d, #inner>);
+        let kind = if node.curve { quote!(Curve) } else { quote!(Dense) };
+        inner = quote!(::allotrope::layout::#kind<#order, #a, #b, #c, #d, #inner>);
     }
     if let (Some(record), false) = (&layout.record, layout.names_members()) {
         // The name stands for nothing here, but must be a type's.
@@ -55,13 +64,16 @@ fn order(list: Option<&AxisList>) -> TokenStream {
 fn sizes(node: &Node) -> [TokenStream; AXES.len()] {
     let axes = node.axes.as_ref().map_or(&[][..], |list| &list.axes);
     std::array::from_fn(|axis| {
-        let size = axes.iter().position(|&named| named == Axis(axis)).and_then(|at| node.sizes.as_ref()?.along(at));
-        match size {
-            Some(Size::Number(_, literal)) => quote!(#literal),
-            Some(Size::Constant(expr)) => quote!({ #expr }),
-            Some(Size::Wrong(..)) | None => quote!(1),
-        }
+        size(axes.iter().position(|&named| named == Axis(axis)).and_then(|at| node.sizes.as_ref()?.along(at)))
     })
+}
+
+fn size(size: Option<&Size>) -> TokenStream {
+    match size {
+        Some(Size::Number(_, literal)) => quote!(#literal),
+        Some(Size::Constant(expr)) => quote!({ #expr }),
+        Some(Size::Wrong(..)) | None => quote!(1),
+    }
 }
 
 fn place(place: &Place, record: Option<&Path>) -> TokenStream {

@@ -33,8 +33,9 @@ pub(super) struct Branch {
 pub(super) enum Step {
     Node(Node),
     Place(Place),
+    Pad(Pad),
     /// A word that the language has and this version has not.
-    Later(Ident, Later),
+    Later(Ident),
     /// A word that the language has not.
     Unknown(Ident),
 }
@@ -45,21 +46,17 @@ impl Step {
         match self {
             Self::Node(node) => &node.name,
             Self::Place(place) => &place.name,
-            Self::Later(name, _) | Self::Unknown(name) => name,
+            Self::Pad(pad) => &pad.name,
+            Self::Later(name) | Self::Unknown(name) => name,
         }
     }
 }
 
-/// What a word for later versions is.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Later {
-    Node,
-    Pad,
-}
-
-/// A `dense` block.
+/// A `dense` or `morton` block.
 pub(super) struct Node {
     pub(super) name: Ident,
+    /// Whether its cells lie in Z-order: `morton`.
+    pub(super) curve: bool,
     /// `None`: nothing that could be read as axes stands there.
     pub(super) axes: Option<AxisList>,
     pub(super) sizes: Option<Sizes>,
@@ -112,6 +109,15 @@ pub(super) enum Size {
     Wrong(TokenStream, Option<Ident>),
 }
 
+/// `pad(64)`
+pub(super) struct Pad {
+    pub(super) name: Ident,
+    /// The bytes, read as a size is.
+    pub(super) bytes: Option<Size>,
+    /// The first argument too many.
+    pub(super) surplus: Option<TokenStream>,
+}
+
 /// How the innermost node's cells are placed.
 pub(super) struct Place {
     pub(super) name: Ident,
@@ -148,7 +154,13 @@ pub(super) const WORDS: [&str; 11] =
     ["dense", "pointer", "bitmasked", "hash", "dynamic", "morton", "aos", "soa", "split", "place", "pad"];
 
 /// Layouts that have names of their own, which stand in a type without `layout!`.
-pub(super) const NAMED: [&str; 5] = ["Aos", "Soa", "Split", "AoSoA<N>", "Blocked<N>"];
+pub(super) const NAMED: [&str; 6] = ["Aos", "Soa", "Split", "AoSoA<N>", "Blocked<N>", "Morton<N>"];
+
+/// The most bytes that starts can be aligned to: a page.
+pub(super) const WIDEST_PAD: u128 = 4096;
+
+/// The most nodes of constant size that a layout may have.
+pub(super) const MOST_NODES: usize = 6;
 
 /// The most bytes that a placed member's name may have.
 pub(super) const LONGEST_NAME: usize = 32;
@@ -165,9 +177,10 @@ pub(super) fn model(syntax: Syntax) -> Layout {
 
 fn step(word: Word) -> Step {
     let kind = match word.name.to_string().as_str() {
-        "dense" => return Step::Node(node(word)),
-        "pointer" | "bitmasked" | "hash" | "dynamic" | "morton" => return Step::Later(word.name, Later::Node),
-        "pad" => return Step::Later(word.name, Later::Pad),
+        "dense" => return Step::Node(node(word, false)),
+        "morton" => return Step::Node(node(word, true)),
+        "pointer" | "bitmasked" | "hash" | "dynamic" => return Step::Later(word.name),
+        "pad" => return Step::Pad(pad(word)),
         "place" => {
             let groups = word.arguments.unwrap_or_default().into_iter().map(group).collect();
             return Step::Place(Place { name: word.name, kind: PlaceKind::Groups(groups), surplus: None });
@@ -184,12 +197,18 @@ fn step(word: Word) -> Step {
     Step::Place(Place { name: word.name, kind, surplus })
 }
 
-fn node(word: Word) -> Node {
+fn node(word: Word, curve: bool) -> Node {
     let mut arguments = word.arguments.unwrap_or_default().into_iter();
     let axes = arguments.next().and_then(|argument| name(&argument)).map(|name| axis_list(&name));
     let sizes = arguments.next().map(sizes);
     let surplus = arguments.next().map(Expr::into_token_stream);
-    Node { name: word.name, axes, sizes, surplus }
+    Node { name: word.name, curve, axes, sizes, surplus }
+}
+
+fn pad(word: Word) -> Pad {
+    let mut arguments = word.arguments.unwrap_or_default().into_iter();
+    let bytes = arguments.next().map(size);
+    Pad { name: word.name, bytes, surplus: arguments.next().map(Expr::into_token_stream) }
 }
 
 fn axis_list(name: &Ident) -> AxisList {

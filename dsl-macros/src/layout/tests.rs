@@ -146,9 +146,9 @@ fn words() {
     assert!(message(quote!(AoSoA(16))).contains("write `AoSoA<N>` alone"));
     assert!(message(quote!(dense(ij).interleaved)).contains("the places are"));
     assert_eq!(codes(quote!(pointer(ij, 16).dense(ij, 8).aos)), [Code::LaterNode]);
-    assert_eq!(codes(quote!(hash(ijk).bitmasked(ijk, 8).pad(64).soa)), [Code::LaterNode; 3]);
+    assert_eq!(codes(quote!(hash(ijk).bitmasked(ijk, 8).pad(64).soa)), [Code::LaterNode; 2]);
     assert_eq!(codes(quote!(dense(i).dynamic(j, 1024, chunk = 32).aos)), [Code::LaterNode]);
-    assert_eq!(codes(quote!(Node: dense(ij).place([v]) + morton(ij, 8).place([m]))), [Code::LaterNode; 2]);
+    assert_eq!(codes(quote!(Node: dense(ij).place([v]) + hash(ij).place([m]))), [Code::LaterNode; 2]);
 }
 
 #[test]
@@ -212,7 +212,7 @@ fn all_errors_come_at_once() {
 
 #[test]
 fn nothing_makes_the_macro_panic() {
-    let words = ["dense", "pointer", "dens", "aos", "place", "pad", "Aos"];
+    let words = ["dense", "morton", "pointer", "dens", "aos", "place", "pad", "Aos"];
     let arguments =
         ["", "()", "(ij)", "(yx)", "(j, 0)", "(ij, (4))", "(iijjkkll, (1, 2), 3)", "([v], [v, 1], w)", "(\"i\")"];
     for (word, next) in words.iter().flat_map(|word| words.map(|next| (word, next))) {
@@ -223,4 +223,43 @@ fn nothing_makes_the_macro_panic() {
             super::expand(quote!(a::Node: #tokens + #tokens));
         }
     }
+}
+
+#[test]
+fn blocks_in_z_order() {
+    assert_eq!(short(quote!(morton(ij, 8).aos)), "Tree<0x12,Curve<0x12,8,8,1,1,PlaceAos>>");
+    assert_eq!(
+        short(quote!(dense(ij).morton(ji, (4, N)).dense(ij, 3).soa)),
+        "Tree<0x12,Curve<0x21,{N},4,1,1,Dense<0x12,3,3,1,1,PlaceSoa>>>"
+    );
+    assert_eq!(codes(quote!(morton(ij).aos)), [Code::NoSize]);
+    assert_eq!(codes(quote!(dense(ij).morton(ij).aos)), [Code::NoSize]);
+    assert_eq!(codes(quote!(morton(ij, (8, 12)).aos)), [Code::NotAPowerOfTwo]);
+    assert_eq!(codes(quote!(morton(ij, 0).aos)), [Code::WrongSize]);
+    assert_eq!(codes(quote!(morton(i, 1).aos)), []);
+    assert!(message(quote!(morton(ij, 12).aos)).contains("the sizes near are 8 and 16"));
+    assert!(message(quote!(Morton(8))).contains("write `Morton<N>` alone"));
+}
+
+#[test]
+fn depth() {
+    let sized = quote!(dense(i, 2).morton(i, 2).dense(i, 2).dense(i, 2).dense(i, 2));
+    assert_eq!(codes(quote!(#sized.dense(i, 2).aos)), []);
+    assert_eq!(codes(quote!(#sized.dense(i, 2).dense(i, 2).aos)), [Code::TooManyNodes]);
+}
+
+#[test]
+fn padding() {
+    assert_eq!(short(quote!(dense(ij).pad(64).aos)), "Tree<0x12,Padded<64,PlaceAos>>");
+    assert_eq!(short(quote!(dense(i, 8).pad(LINE).soa)), "Tree<0x1,Dense<0x1,8,1,1,1,Padded<{LINE},PlaceSoa>>>");
+    assert_eq!(codes(quote!(dense(ij).pad.aos)), [Code::WrongArguments]);
+    assert_eq!(codes(quote!(dense(ij).pad(64, 32).aos)), [Code::WrongArguments]);
+    for wrong in [quote!(0), quote!(48), quote!(8192), quote!(-8), quote!("64"), quote!(i)] {
+        assert_eq!(codes(quote!(dense(ij).pad(#wrong).aos)), [Code::WrongPad], "{wrong}");
+    }
+    assert_eq!(codes(quote!(dense(ij).pad(64).dense(ij, 8).aos)), [Code::WrongPad]);
+    assert_eq!(codes(quote!(dense(ij).pad(64).pad(64).aos)), [Code::WrongPad]);
+    assert_eq!(codes(quote!(dense(ij).aos.pad(64))), [Code::AfterPlace]);
+    assert_eq!(codes(quote!(dense(ij).pad(64))), [Code::NoPlace]);
+    assert_eq!(codes(quote!(pad(64).aos)), [Code::NoNode]);
 }

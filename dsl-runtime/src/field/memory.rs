@@ -1,13 +1,13 @@
-//! A field's bytes: zeroed, aligned to a cache line, freed on drop.
+//! A field's bytes: zeroed, aligned to a cache line at least, freed on drop.
 
 use core::ptr::NonNull;
 use std::alloc::{Layout, alloc_zeroed, dealloc, handle_alloc_error};
 
 /// Every field begins at a cache line.
-const LINE: usize = 64;
+pub(crate) const LINE: usize = 64;
 
 /// What the system is asked for: with so small an alignment it hands out pages that are zero already, and maps them when
-/// they are touched. The line is found within.
+/// they are touched. The start is found within.
 const ALIGN: usize = 16;
 
 #[doc(hidden)]
@@ -26,27 +26,25 @@ unsafe impl Send for Memory {}
 unsafe impl Sync for Memory {}
 
 impl Memory {
-    /// So many zeroed bytes, or `None` where the system refuses them.
-    pub(crate) fn zeroed(bytes: usize) -> Option<Self> {
+    /// So many zeroed bytes from a multiple of `align`, a power of two, on; `None` where the system refuses them.
+    pub(crate) fn zeroed(bytes: usize, align: usize) -> Option<Self> {
         if bytes == 0 {
-            let start = NonNull::without_provenance(core::num::NonZero::new(LINE)?);
+            let start = NonNull::without_provenance(core::num::NonZero::new(align)?);
             return Some(Self { block: None, start, bytes });
         }
-        let layout = Layout::from_size_align(bytes.checked_add(LINE)?, ALIGN).ok()?;
+        let layout = Layout::from_size_align(bytes.checked_add(align)?, ALIGN).ok()?;
         // SAFETY: the size is not zero.
         let block = NonNull::new(unsafe { alloc_zeroed(layout) })?;
-        let skip = block.as_ptr().align_offset(LINE);
-        // SAFETY: `skip` is below `LINE`, which was asked for on top of `bytes`.
+        let skip = block.as_ptr().align_offset(align);
+        // SAFETY: `skip` is below `align`, which was asked for on top of `bytes`.
         let start = unsafe { block.add(skip) };
         Some(Self { block: Some((block, layout)), start, bytes })
     }
 
-    /// So many zeroed bytes; ends the program where the system refuses them.
-    pub(crate) fn zeroed_or_abort(bytes: usize) -> Self {
-        Self::zeroed(bytes).unwrap_or_else(|| {
-            handle_alloc_error(
-                Layout::from_size_align(bytes.min(isize::MAX as usize - LINE), 1).expect("a small alignment"),
-            )
+    /// As [`zeroed`](Self::zeroed); ends the program where the system refuses the bytes.
+    pub(crate) fn zeroed_or_abort(bytes: usize, align: usize) -> Self {
+        Self::zeroed(bytes, align).unwrap_or_else(|| {
+            handle_alloc_error(Layout::from_size_align(bytes.min(isize::MAX as usize), 1).expect("a small alignment"))
         })
     }
 
@@ -80,6 +78,20 @@ impl Drop for Memory {
         if let Some((block, layout)) = self.block {
             // SAFETY: allocated in `zeroed` with this very layout.
             unsafe { dealloc(block.as_ptr(), layout) };
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn memory_is_zero_and_begins_where_it_is_asked_to() {
+        for align in [64, 256, 4096] {
+            let blocks: Vec<Memory> = (0..9).map(|n| Memory::zeroed(100 * n, align).expect("little memory")).collect();
+            assert!(blocks.iter().all(|block| block.start().addr().is_multiple_of(align)));
+            assert!(blocks.iter().all(|block| block.as_slice().iter().all(|&byte| byte == 0)));
         }
     }
 }

@@ -152,8 +152,22 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
         let geometry = Geometry::new::<L, X>(extents)?;
         let shape = || extents[..X::RANK].to_vec();
         let bytes = Map::<R, L, X>::bytes(&geometry).ok_or_else(|| ShapeError::TooLarge { shape: shape() })?;
-        let memory = Memory::zeroed(bytes).ok_or_else(|| ShapeError::OutOfMemory { shape: shape(), bytes })?;
+        let memory = Memory::zeroed(bytes, Map::<R, L, X>::LINE)
+            .ok_or_else(|| ShapeError::OutOfMemory { shape: shape(), bytes })?;
         Ok(Self { memory, geometry, spare: Mutex::new(Vec::new()), marker: PhantomData })
+    }
+
+    /// This field with the same record everywhere: what a fresh field holds.
+    ///
+    /// ```
+    /// use allotrope::prelude::*;
+    /// let far = Field::<f32, Blocked<4>>::new([10, 6]).with_background(f32::INFINITY);
+    /// assert_eq!(far.get([9, 5]), f32::INFINITY);
+    /// ```
+    #[must_use]
+    pub fn with_background(mut self, record: R) -> Self {
+        self.fill(record);
+        self
     }
 
     /// A handle for reading, while `self` is borrowed; or for writing, where the caller holds `&mut`.
@@ -193,7 +207,7 @@ impl<R: Record + fmt::Debug, L: Layout<X>, X: Axes> fmt::Debug for Field<R, L, X
 
 impl<R: Record, L: Layout<X>, X: Axes> Clone for Field<R, L, X> {
     fn clone(&self) -> Self {
-        let mut memory = Memory::zeroed_or_abort(self.memory.bytes());
+        let mut memory = Memory::zeroed_or_abort(self.memory.bytes(), Map::<R, L, X>::LINE);
         memory.as_mut_slice().copy_from_slice(self.memory.as_slice());
         Self { memory, geometry: self.geometry, spare: Mutex::new(Vec::new()), marker: PhantomData }
     }

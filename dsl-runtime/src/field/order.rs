@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 use super::{Field, Memory};
 use crate::axes::{Axes, I};
 use crate::launch::run_jobs;
-use crate::layout::Layout;
+use crate::layout::{Layout, Map};
 use crate::record::{Record, Whole};
 use crate::schedule::Schedule;
 
@@ -58,7 +58,7 @@ impl<R: Record, L: Layout<I>> Field<R, L, I> {
             }
         });
         let mut old = stable_order(&keys);
-        let memory = Memory::zeroed_or_abort(self.memory.bytes());
+        let memory = Memory::zeroed_or_abort(self.memory.bytes(), Map::<R, L, I>::LINE);
         let to = from.at(memory.start());
         in_parts(threads, &mut old, |first, old| {
             for (n, &mut before) in old.iter_mut().enumerate() {

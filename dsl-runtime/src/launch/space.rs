@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 use core::ops::Range;
 
 use super::run::Run;
-use crate::axes::{Axes, I, Ij, Ijk, MAX_AXES, PerAxis, all, per_axis};
+use crate::axes::{Axes, I, Ij, Ijk, Ijkl, MAX_AXES, PerAxis, all, per_axis};
 use crate::element::Sealed;
 use crate::index::Integer;
 use crate::layout::node::{nth_row, order, rows};
@@ -352,6 +352,19 @@ impl<T: Integer, U: Integer, V: Integer> Integers for (T, U, V) {
     }
 }
 
+impl<T: Integer, U: Integer, V: Integer, W: Integer> Integers for (T, U, V, W) {
+    type X = Ijkl;
+    type One = Self;
+    #[inline(always)]
+    fn narrow(at: [i64; MAX_AXES]) -> Self {
+        (T::narrow(at[0]), U::narrow(at[1]), V::narrow(at[2]), W::narrow(at[3]))
+    }
+    #[inline(always)]
+    fn one(at: [i64; MAX_AXES]) -> Self {
+        Self::narrow(at)
+    }
+}
+
 /// A tuple of ranges: the head of a loop without a field.
 #[doc(hidden)]
 pub trait RangeTuple {
@@ -378,6 +391,16 @@ impl<T: Integer, U: Integer, V: Integer> RangeTuple for (Range<T>, Range<U>, Ran
         (
             [self.0.start.wide(), self.1.start.wide(), self.2.start.wide(), 0],
             [self.0.end.wide(), self.1.end.wide(), self.2.end.wide(), 1],
+        )
+    }
+}
+
+impl<T: Integer, U: Integer, V: Integer, W: Integer> RangeTuple for (Range<T>, Range<U>, Range<V>, Range<W>) {
+    type Integers = (T, U, V, W);
+    fn bounds(self) -> ([i64; MAX_AXES], [i64; MAX_AXES]) {
+        (
+            [self.0.start.wide(), self.1.start.wide(), self.2.start.wide(), self.3.start.wide()],
+            [self.0.end.wide(), self.1.end.wide(), self.2.end.wide(), self.3.end.wide()],
         )
     }
 }

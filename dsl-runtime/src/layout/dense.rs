@@ -1,6 +1,6 @@
 //! `dense`: a full block of cells, the one node that has no state.
 
-use super::node::{Digit, Inner, order};
+use super::node::{Digit, Inner, chain, order, product, sizes};
 use crate::axes::{Axes, MAX_AXES, PerAxis};
 use crate::element::Sealed;
 
@@ -16,17 +16,6 @@ impl<const ORDER: u32, const A: usize, const B: usize, const C: usize, const D: 
 {
 }
 
-/// The sizes along the axes that the node names; 1 along the others.
-const fn sizes<X: Axes>(code: u32, given: PerAxis) -> PerAxis {
-    let (axes, count) = order::<X>(code);
-    let (mut sizes, mut n) = ([1; MAX_AXES], 0);
-    while n < count {
-        sizes[axes[n]] = given[axes[n]];
-        n += 1;
-    }
-    sizes
-}
-
 /// How many of the node's cells lie between neighbours along each axis.
 const fn strides<X: Axes>(code: u32, sizes: PerAxis) -> PerAxis {
     let (axes, count) = order::<X>(code);
@@ -37,10 +26,6 @@ const fn strides<X: Axes>(code: u32, sizes: PerAxis) -> PerAxis {
         stride *= sizes[axes[n]];
     }
     strides
-}
-
-const fn product(sizes: PerAxis) -> usize {
-    sizes[0] * sizes[1] * sizes[2] * sizes[3]
 }
 
 impl<const ORDER: u32, const A: usize, const B: usize, const C: usize, const D: usize, N, X> Inner<X>
@@ -65,17 +50,8 @@ where
     const RUN: usize =
         if N::LEAF == 0 { sizes::<X>(ORDER, [A, B, C, D])[<Self as Inner<X>>::RUN_AXIS] } else { N::RUN };
     const ROWS: usize = <Self as Inner<X>>::CELLS / <Self as Inner<X>>::RUN;
-    const DIGITS: &'static [Digit] = &{
-        // One list for the whole chain; longer ones are cut off, which only costs the short cut for equal layouts.
-        let mut digits = [Digit { order: 0, sizes: [0; MAX_AXES] }; 6];
-        digits[0] = Digit { order: ORDER, sizes: sizes::<X>(ORDER, [A, B, C, D]) };
-        let mut n = 0;
-        while n < N::DIGITS.len() && n < 5 {
-            digits[n + 1] = N::DIGITS[n];
-            n += 1;
-        }
-        digits
-    };
+    const DIGITS: &'static [Digit] =
+        &chain(Digit { order: ORDER, sizes: sizes::<X>(ORDER, [A, B, C, D]), curve: false }, N::DIGITS);
 
     #[inline(always)]
     fn term(axis: usize, c: usize, leaf_bytes: usize, stride: usize) -> usize {

@@ -3,21 +3,22 @@
 use core::marker::PhantomData;
 
 use super::node::order;
-use super::place::{Streams, round_up};
+use super::place::{Spec, Streams, round_up};
 use super::{Geometry, Inner, Layout, Place, flat};
 use crate::axes::{Axes, MAX_AXES, PerAxis, sum};
+use crate::field::memory::LINE;
 use crate::record::{ElementList, MAX_MEMBERS, Record};
-
-/// Runs of a flat root begin at cache lines.
-const LINE: usize = 64;
 
 /// Where the records `R` lie in the layout `L` over `X`.
 pub(crate) struct Map<R, L, X>(PhantomData<(R, L, X)>);
 
 impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     // Tables stand behind references: a use then reads one entry, and copies nothing.
-    pub(crate) const STREAMS: &'static Streams =
-        &Streams::of(<<L::Inner as Inner<X>>::Place as Place>::SPEC, R::Elements::MEMBERS, R::NAMES);
+    pub(crate) const STREAMS: &'static Streams = &Streams::of(Self::SPEC, Self::PAD, R::Elements::MEMBERS, R::NAMES);
+    const SPEC: Spec = <<L::Inner as Inner<X>>::Place as Place>::SPEC;
+    const PAD: usize = <<L::Inner as Inner<X>>::Place as Place>::PAD;
+    /// What the field's memory, and each run of a flat root, begins at a multiple of: a cache line, or what the layout asks for.
+    pub(crate) const LINE: usize = if Self::PAD > LINE { Self::PAD } else { LINE };
     const EXTENT: &'static PerAxis = &<L::Inner as Inner<X>>::EXTENT;
     pub(crate) const FLAT: bool = flat::<L, X>();
     /// Cells of the innermost node (constant trees).
@@ -75,7 +76,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         let cells = geometry.cells as u128;
         let bytes = if Self::FLAT {
             let streams = Self::STREAMS;
-            let run = |item: usize| (cells * item as u128).next_multiple_of(LINE as u128);
+            let run = |item: usize| (cells * item as u128).next_multiple_of(Self::LINE as u128);
             streams.streams[..streams.count].iter().map(|s| s.repeats as u128 * run(s.item)).sum()
         } else {
             cells * Self::BLOCK_BYTES as u128
@@ -109,7 +110,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         let mut bytes = 0;
         // Written as a loop over a constant list: it unrolls, and is hoisted out of every loop over cells.
         for s in &streams.streams[..stream] {
-            bytes += s.repeats * round_up(cells * s.item, LINE);
+            bytes += s.repeats * round_up(cells * s.item, Self::LINE);
         }
         bytes
     }
@@ -119,7 +120,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     pub(crate) fn component(geometry: &Geometry, m: usize) -> usize {
         if Self::FLAT {
             let seat = Self::STREAMS.seats[m];
-            if seat.split { round_up(geometry.cells * Self::STRIDES[m], LINE) } else { seat.scalar }
+            if seat.split { round_up(geometry.cells * Self::STRIDES[m], Self::LINE) } else { seat.scalar }
         } else {
             Self::COMPONENTS[m]
         }

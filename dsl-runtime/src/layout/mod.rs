@@ -3,19 +3,21 @@
 pub(crate) mod dense;
 pub(crate) mod geometry;
 pub(crate) mod map;
+pub(crate) mod morton;
 pub(crate) mod node;
 pub(crate) mod place;
 
 pub use dense::Dense;
 pub(crate) use geometry::Geometry;
 pub(crate) use map::Map;
+pub use morton::Curve;
 pub(crate) use node::order;
 pub use node::{ALL, LAST};
 #[doc(hidden)]
 pub use node::{Digit, Inner};
 #[doc(hidden)]
 pub use place::{Entry, Named, Place, Spec, Taken};
-pub use place::{PlaceAos, PlaceGroups, PlaceSoa, PlaceSplit};
+pub use place::{Padded, PlaceAos, PlaceGroups, PlaceSoa, PlaceSplit};
 
 use crate::axes::{Axes, PerAxis};
 use crate::element::Sealed;
@@ -66,6 +68,8 @@ pub type Split = Tree<ALL, PlaceSplit>;
 pub type AoSoA<const N: usize> = Tree<ALL, Dense<LAST, N, N, N, N, PlaceSoa>>;
 /// Blocks of `N` cells along every axis, record after record within a block: `dense(ij).dense(ij, N).aos`.
 pub type Blocked<const N: usize> = Tree<ALL, Dense<ALL, N, N, N, N, PlaceAos>>;
+/// Blocks of `N` cells along every axis in Z-order, record after record: `dense(ij).morton(ij, N).aos`. `N` is a power of two.
+pub type Morton<const N: usize> = Tree<ALL, Curve<ALL, N, N, N, N, PlaceAos>>;
 
 /// Cells of a block along an axis.
 #[inline(always)]

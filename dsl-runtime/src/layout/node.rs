@@ -12,6 +12,42 @@ pub struct Digit {
     pub order: u32,
     /// Its sizes.
     pub sizes: PerAxis,
+    /// Whether its cells lie in Z-order rather than in that of the axes.
+    pub curve: bool,
+}
+
+/// The most nodes of constant size in a layout.
+pub(crate) const MOST_NODES: usize = 6;
+
+/// The list of a node and of those below it. An entry of order 0 ends a list that is not full.
+pub(crate) const fn chain(digit: Digit, below: &[Digit]) -> [Digit; MOST_NODES] {
+    let mut digits = [Digit { order: 0, sizes: [0; MAX_AXES], curve: false }; MOST_NODES];
+    digits[0] = digit;
+    let mut n = 0;
+    while n < below.len() && below[n].order != 0 {
+        // The order of memory is read off the list, so that a list which is cut off would repeat cells.
+        assert!(n + 1 < MOST_NODES, "a layout has at most six nodes of constant size");
+        digits[n + 1] = below[n];
+        n += 1;
+    }
+    digits
+}
+
+/// The sizes along the axes that a node names; 1 along the others.
+pub(crate) const fn sizes<X: Axes>(code: u32, given: PerAxis) -> PerAxis {
+    let (axes, count) = order::<X>(code);
+    let (mut sizes, mut n) = ([1; MAX_AXES], 0);
+    // Without axes there is one cell, however many a named layout has along each.
+    while n < count && X::RANK > 0 {
+        sizes[axes[n]] = given[axes[n]];
+        n += 1;
+    }
+    sizes
+}
+
+/// All cells of a block.
+pub(crate) const fn product(sizes: PerAxis) -> usize {
+    sizes[0] * sizes[1] * sizes[2] * sizes[3]
 }
 
 /// A chain of nodes of constant size below the root, closed by a place.
@@ -47,6 +83,16 @@ pub(crate) const fn nth_row<N: Inner<X>, X: Axes>(r: usize) -> PerAxis {
         let digit = N::DIGITS[level];
         let (axes, count) = order::<X>(digit.order);
         let mut n = 0;
+        if digit.curve {
+            cells /= product(digit.sizes);
+            let place = super::morton::place::<X>(digit.order, digit.sizes, rest / cells);
+            rest %= cells;
+            while n < count {
+                unit[axes[n]] /= digit.sizes[axes[n]];
+                at[axes[n]] += place[axes[n]] * unit[axes[n]];
+                n += 1;
+            }
+        }
         while n < count {
             let size = digit.sizes[axes[n]];
             cells /= size;
@@ -80,10 +126,11 @@ pub(crate) fn rows<N: Inner<X>, X: Axes>(mut row: impl FnMut(PerAxis)) {
 }
 
 /// The axes of a node in memory order, read from `ORDER`: one hexadecimal digit an axis, the first axis highest.
-/// [`ALL`] stands for every axis of the field, [`LAST`] for its last one.
+/// [`ALL`] stands for every axis of the field, [`LAST`] for its last one; a field without axes lies as one of one element.
 pub(crate) const fn order<X: Axes>(code: u32) -> ([usize; MAX_AXES], usize) {
     let mut axes = [0; MAX_AXES];
     match code {
+        ALL | LAST if X::RANK == 0 => (axes, 1),
         ALL => {
             let mut a = 0;
             while a < X::RANK {

@@ -34,6 +34,8 @@ pub struct Entry {
 pub trait Place: Copy + Send + Sync + Sealed + 'static {
     /// What it does.
     const SPEC: Spec;
+    /// The bytes that each cell (of interleaved records) or run begins at a multiple of.
+    const PAD: usize = 1;
 }
 
 macro_rules! places {
@@ -51,6 +53,18 @@ places! {
     PlaceAos Spec::Aos, "`.aos`: record after record, components in declared order, rounded up to the widest scalar.";
     PlaceSoa Spec::Soa, "`.soa`: for each member, all its values.";
     PlaceSplit Spec::Split, "`.split`: for each scalar component of each member, all its values.";
+}
+
+/// `.pad(64)`: each cell of interleaved records, or each run of what stands apart, begins at a multiple of so many bytes.
+#[derive(Clone, Copy, Debug)]
+pub struct Padded<const BYTES: usize, P>(core::marker::PhantomData<fn() -> P>);
+impl<const BYTES: usize, P> Sealed for Padded<BYTES, P> {}
+impl<const BYTES: usize, P: Place> Place for Padded<BYTES, P> {
+    const SPEC: Spec = P::SPEC;
+    const PAD: usize = {
+        assert!(BYTES.is_power_of_two() && BYTES <= 4096, "`pad` takes a power of two up to 4096");
+        BYTES
+    };
 }
 
 /// `.place([v, m], [flags])`: groups of the members of `R`, each interleaved, one group after another.
@@ -151,7 +165,7 @@ pub(crate) struct Streams {
     pub(crate) streams: [Stream; MAX_MEMBERS],
     pub(crate) count: usize,
     pub(crate) seats: [Seat; MAX_MEMBERS],
-    /// The widest scalar: every stream begins at a multiple of it.
+    /// The widest scalar, or the padding where it is wider: every run begins at a multiple of it.
     pub(crate) align: usize,
 }
 
@@ -217,8 +231,8 @@ impl Streams {
         self
     }
 
-    /// The streams of a record's members under a place.
-    pub(crate) const fn of(spec: Spec, members: &[MemberSpec], names: &[&str]) -> Self {
+    /// The streams of a record's members under a place, with cells or runs that begin at multiples of `pad`.
+    pub(crate) const fn of(spec: Spec, pad: usize, members: &[MemberSpec], names: &[&str]) -> Self {
         let mut this = Self::EMPTY;
         let mut m = 0;
         while m < members.len() {
@@ -226,6 +240,9 @@ impl Streams {
                 this.align = members[m].scalar;
             }
             m += 1;
+        }
+        if pad > this.align {
+            this.align = pad;
         }
         m = 0;
         match spec {
@@ -235,6 +252,7 @@ impl Streams {
                     m += 1;
                 }
                 this = this.close(members);
+                this.streams[0].item = round_up(this.streams[0].item, pad);
             }
             Spec::Soa | Spec::Split => {
                 while m < members.len() {
@@ -334,7 +352,7 @@ mod tests {
 
     #[test]
     fn interleaved_records_round_up_to_the_widest_scalar() {
-        let streams = Streams::of(Spec::Aos, &MEMBERS, &["x", "flag", "mass"]);
+        let streams = Streams::of(Spec::Aos, 1, &MEMBERS, &["x", "flag", "mass"]);
         assert_eq!((streams.count, streams.stride(0)), (1, 24));
         assert_eq!(streams.seats.map(|s| s.offset)[..3], [0, 8, 9]);
         assert!(streams.aligned(0) && streams.aligned(1) && !streams.aligned(2));
@@ -342,7 +360,7 @@ mod tests {
 
     #[test]
     fn split_members_stand_component_by_component() {
-        let streams = Streams::of(Spec::Split, &MEMBERS, &["x", "flag", "mass"]);
+        let streams = Streams::of(Spec::Split, 1, &MEMBERS, &["x", "flag", "mass"]);
         assert_eq!(streams.start(1, 5, 8), 2 * 24);
         assert_eq!(streams.component(0, 5, 8), 24);
         assert_eq!(streams.bytes(5, 8), 48 + 8 + 40);

@@ -132,7 +132,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Scattered for Target<'_, '_, R, L, X> {
 
     fn borrow_copy(&self) -> Memory {
         let spare = self.handle.spare.lock().unwrap_or_else(PoisonError::into_inner).pop();
-        let copy = spare.unwrap_or_else(|| Memory::zeroed_or_abort(self.bytes()));
+        let copy = spare.unwrap_or_else(|| Memory::zeroed_or_abort(self.bytes(), Map::<R, L, X>::LINE));
         if self.members.iter().any(|&(_, op)| !op.identity_is_zero()) {
             for part in 0..self.parts() {
                 // SAFETY: lines lie within the field's bytes, which the copy has too, and the copy is ours alone.

@@ -67,7 +67,7 @@ macro_rules! places {
         }
     )*};
 }
-places!(1: A 0; 2: A 0 B 1; 3: A 0 B 1 C 2;);
+places!(1: A 0; 2: A 0 B 1; 3: A 0 B 1 C 2; 4: A 0 B 1 C 2 D 3;);
 
 /// Reads and writes a path at indices in which every loop variable stands alone in a place, so that no two elements of
 /// the loop share one. All indices of a path have the variables in the same places.

@@ -40,7 +40,7 @@ const fn same(a: &[Digit], b: &[Digit]) -> bool {
             axis += 1;
         }
         // Order 0 marks the end of a list.
-        if a[n].order != b[n].order || (n + 1 == a.len() && a[n].order != 0) {
+        if a[n].order != b[n].order || a[n].curve != b[n].curve || (n + 1 == a.len() && a[n].order != 0) {
             return false;
         }
         n += 1;

@@ -1,9 +1,11 @@
 //! Kernels through the public interface, in several layouts.
 
 mod accumulate;
+mod axes;
 mod captures;
 mod loops;
 mod mpm;
+mod order;
 mod panics;
 mod reductions;
 mod stencils;

@@ -40,6 +40,9 @@ fn jacobi_in_any_layout() {
     run::<Aos>(jacobi_vectors);
     run::<Blocked<4>>(jacobi);
     run::<layout!(dense(ji).dense(ij, (3, 5)).soa)>(jacobi);
+    run::<Morton<8>>(jacobi);
+    run::<layout!(dense(ij).dense(ij, 4).pad(32).soa)>(jacobi);
+    run::<layout!(dense(ij).morton(ji, (4, 2)).dense(ij, 3).soa)>(jacobi_vectors);
 }
 
 #[kernel]
@@ -90,4 +93,6 @@ fn laplacian_of_a_quadratic() {
     }
     run::<Aos>();
     run::<Blocked<2>>();
+    run::<Morton<4>>();
+    run::<layout!(dense(ijk).dense(k, 2).morton(jik, (2, 4, 2)).soa)>();
 }

@@ -143,6 +143,82 @@ fn three_axes() {
 }
 
 #[test]
+fn blocks_in_z_order() {
+    check!([[1], [37]];
+        (morton(i, 8).soa);
+        (dense(i, 3).morton(i, 4).dense(i, 2).aos);
+    );
+    check!([[5, 7], [16, 16], [1, 13]];
+        (morton(ij, 4).aos);
+        (morton(ij, 8).soa);
+        (morton(ji, 4).split);
+        (dense(ji).morton(ij, (2, 8)).soa);
+        (dense(ij).morton(ij, (8, 2)).aos);
+        (dense(ij).morton(ij, 4).dense(ij, 3).soa);
+        (dense(ij).dense(ij, 3).morton(ji, (4, 2)).split);
+        (morton(ij, 2).morton(ij, 4).aos);
+        (dense(j).morton(i, 16).morton(j, 2).soa);
+        (morton(ij, 1).aos);
+    );
+    check!([[3, 4, 5], [7, 2, 6], [8, 8, 8]];
+        (morton(ijk, 4).aos);
+        (dense(kji).morton(jki, (2, 8, 4)).soa);
+        (dense(ijk).morton(ik, 4).dense(ijk, (1, 3, 2)).split);
+        (dense(ijk).dense(k, 3).morton(ijk, 2).aos);
+    );
+    check!(of Node: [[5, 7], [16, 16]];
+        (Node: morton(ij, 4).place([flags, v], [split(m)]));
+    );
+}
+
+#[test]
+fn four_axes() {
+    check!([[2, 3, 4, 3], [1, 2, 5, 2]];
+        (dense(ijkl).aos);
+        (dense(ljki).soa);
+        (dense(ijkl).dense(ijkl, 2).split);
+        (dense(lk).dense(ij, 3).dense(kl, (1, 2)).soa);
+        (morton(ijkl, 2).aos);
+        (dense(ijkl).morton(jlik, (2, 4, 1, 2)).pad(16).split);
+    );
+}
+
+#[test]
+fn padding() {
+    check!([[1], [37]];
+        (dense(i).pad(64).aos);
+        (dense(i).pad(2).aos);
+        (dense(i).pad(256).soa);
+        (dense(i).dense(i, 5).pad(32).aos);
+        (dense(i, 7).pad(128).split);
+    );
+    check!([[5, 7], [1, 13]];
+        (dense(ji).pad(4096).soa);
+        (dense(ij).pad(16).split);
+        (dense(ij).dense(ij, 3).pad(64).soa);
+        (dense(ij).dense(ji, (4, 2)).pad(1).aos);
+        (morton(ij, 4).pad(128).aos);
+        (dense(ij).morton(ij, 2).dense(j, 3).pad(32).split);
+    );
+    check!(of Node: [[5, 7], [16, 16]];
+        (Node: dense(ij).pad(512).place([v], [m, flags]));
+        (Node: dense(ij).dense(ij, 3).pad(64).place([flags, v], [split(m)]));
+        (Node: morton(ij, 4).pad(16).place([m, split(v), flags]));
+    );
+}
+
+#[test]
+fn padding_may_be_a_constant() {
+    const PAGE: usize = 4096;
+    fn bytes<L: Layout<I>>() -> usize {
+        Field::<Even, L>::new([5]).bytes()
+    }
+    assert_eq!(bytes::<layout!(dense(i).pad(PAGE).aos)>(), 5 * PAGE);
+    assert_eq!(bytes::<layout!(dense(i).pad(PAGE).soa)>(), 2 * PAGE);
+    assert_eq!(bytes::<layout!(dense(i).dense(i, 2).pad(32).split)>(), 3 * 4 * 32);
+}
+
+#[test]
 fn an_axis_below_the_root_alone() {
     check!([[9, 4], [3, 2]];
         (dense(i).dense(j, 4).aos);
@@ -183,6 +259,7 @@ fn named_layouts_mean_what_their_pages_say() {
         "dense(i).aos" = Aos;
         "dense(i).dense(i, 16).soa" = AoSoA<16>;
         "dense(i).dense(i, 5).aos" = Blocked<5>;
+        "dense(i).dense(i, 4).aos" = Morton<4>;
     );
     check_named!([[5, 7], [16, 16]];
         "dense(ij).aos" = Aos;
@@ -190,11 +267,27 @@ fn named_layouts_mean_what_their_pages_say() {
         "dense(ij).split" = Split;
         "dense(ij).dense(j, 6).soa" = AoSoA<6>;
         "dense(ij).dense(ij, 4).aos" = Blocked<4>;
+        "dense(ij).morton(ij, 4).aos" = Morton<4>;
     );
     check_named!([[3, 4, 5], [7, 2, 6]];
         "dense(ijk).split" = Split;
         "dense(ijk).dense(k, 4).soa" = AoSoA<4>;
         "dense(ijk).dense(ijk, 3).aos" = Blocked<3>;
+        "morton(ijk, 2).aos" = Morton<2>;
+    );
+    check_named!([[2, 3, 4, 3]];
+        "dense(ijkl).split" = Split;
+        "dense(ijkl).dense(l, 2).soa" = AoSoA<2>;
+        "dense(ijkl).dense(ijkl, 2).aos" = Blocked<2>;
+    );
+    // One record, whatever a block's size.
+    check_named!([[]];
+        "dense().aos" = Aos;
+        "dense().soa" = Soa;
+        "dense().split" = Split;
+        "dense().dense().soa" = AoSoA<6>;
+        "dense().dense().aos" = Blocked<4>;
+        "dense().morton().aos" = Morton<8>;
     );
 }
 

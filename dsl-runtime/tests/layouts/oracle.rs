@@ -17,8 +17,15 @@ pub(crate) struct Map {
     pub(crate) bytes: usize,
 }
 
+/// The axes of a node as written, and the sizes that are.
+type Axes = Vec<(usize, Option<usize>)>;
+
 /// A node: its axes in the order of memory, and its size along each.
-type Level = Vec<(usize, usize)>;
+struct Level {
+    axes: Vec<(usize, usize)>,
+    /// Whether its cells lie in Z-order.
+    curve: bool,
+}
 
 /// Members that lie together in a run.
 enum Stream {
@@ -33,22 +40,37 @@ pub(crate) fn map(text: &str, shape: &[usize], members: &[Member]) -> Map {
     let chain = text.split_once(':').map_or(text.as_str(), |(_, chain)| chain);
     let mut words = split(chain, '.');
     let place = words.pop().expect("a place");
-    let mut nodes: Vec<Vec<(usize, Option<usize>)>> = words.iter().map(|word| node(word)).collect();
-    if nodes[0].iter().any(|(_, size)| size.is_some()) {
-        nodes.insert(0, nodes[0].iter().map(|&(axis, _)| (axis, None)).collect());
+    let pad: usize = match words.last().and_then(|word| word.strip_prefix("pad")) {
+        Some(bytes) => arguments(bytes)[0].parse().expect("bytes"),
+        None => 1,
+    };
+    words.retain(|word| !word.starts_with("pad"));
+    let mut nodes: Vec<(bool, Axes)> = words.iter().map(|word| (word.starts_with("morton"), node(word))).collect();
+    if nodes[0].1.iter().any(|(_, size)| size.is_some()) {
+        nodes.insert(0, (false, nodes[0].1.iter().map(|&(axis, _)| (axis, None)).collect()));
     }
     let inner: Vec<Level> = nodes[1..]
         .iter()
-        .map(|node| node.iter().map(|&(axis, size)| (axis, size.expect("a size"))).collect())
+        .map(|(curve, node)| Level {
+            axes: node.iter().map(|&(axis, size)| (axis, size.expect("a size"))).collect(),
+            curve: *curve,
+        })
         .collect();
-    let block = |axis| inner.iter().flatten().filter(|(a, _)| *a == axis).map(|(_, size)| size).product::<usize>();
-    let root: Level = nodes[0].iter().map(|&(axis, _)| (axis, shape[axis].div_ceil(block(axis)))).collect();
+    let block = |axis| {
+        inner.iter().flat_map(|level| &level.axes).filter(|(a, _)| *a == axis).map(|(_, size)| size).product::<usize>()
+    };
+    let root = Level {
+        axes: nodes[0].1.iter().map(|&(axis, _)| (axis, shape[axis].div_ceil(block(axis)))).collect(),
+        curve: false,
+    };
     let levels: Vec<Level> = std::iter::once(root).chain(inner).collect();
     let widest = members.iter().map(|member| member.bytes).max().expect("members");
     // Runs begin at multiples of the widest scalar; those of a field that is one run a stream, at cache lines.
-    let align = if levels.len() == 1 { 64 } else { widest };
+    let align = if levels.len() == 1 { 64 } else { widest }.max(pad);
+    // Interleaved records are padded each.
+    let cell = if place == "aos" { pad } else { 1 };
     let mut pen =
-        Pen { levels, shape, members, streams: streams(place, members), align, at: 0, offsets: HashMap::new() };
+        Pen { levels, shape, members, streams: streams(place, members), align, cell, at: 0, offsets: HashMap::new() };
     pen.node(0, vec![0; shape.len()]);
     Map { offsets: pen.offsets, bytes: pen.at }
 }
@@ -77,7 +99,7 @@ fn arguments(word: &str) -> Vec<&str> {
     split(&rest[..rest.len() - 1], ',')
 }
 
-fn node(word: &str) -> Vec<(usize, Option<usize>)> {
+fn node(word: &str) -> Axes {
     let arguments = arguments(word);
     let sizes: Vec<usize> = match arguments.get(1) {
         None => Vec::new(),
@@ -114,7 +136,10 @@ struct Pen<'a> {
     shape: &'a [usize],
     members: &'a [Member],
     streams: Vec<Stream>,
+    /// What runs begin at.
     align: usize,
+    /// What cells of interleaved members begin at, besides their widest scalar.
+    cell: usize,
     at: usize,
     offsets: HashMap<(Vec<usize>, usize, usize), usize>,
 }
@@ -123,9 +148,7 @@ impl Pen<'_> {
     /// The node of a level whose first element is `origin`.
     fn node(&mut self, level: usize, origin: Vec<usize>) {
         let mut cells = vec![origin];
-        for &(axis, size) in &self.levels[level] {
-            let below = self.levels[level + 1..].iter().flatten().filter(|(a, _)| *a == axis).map(|(_, size)| size);
-            let step: usize = below.product();
+        for (axis, size, step) in self.steps(level) {
             cells = cells
                 .into_iter()
                 .flat_map(|cell| {
@@ -146,6 +169,28 @@ impl Pen<'_> {
         }
     }
 
+    /// The choices that lead to a cell of a level, the first the slowest: an axis, how many there are, and how far apart.
+    fn steps(&self, level: usize) -> Vec<(usize, usize, usize)> {
+        let Level { axes, curve } = &self.levels[level];
+        let step = |axis: usize| {
+            let below = self.levels[level + 1..].iter().flat_map(|level| &level.axes);
+            below.filter(|(a, _)| *a == axis).map(|(_, size)| size).product::<usize>()
+        };
+        if !curve {
+            return axes.iter().map(|&(axis, size)| (axis, size, step(axis))).collect();
+        }
+        // In Z-order each is a half: as many halvings as the longest axis takes, from the finest up.
+        let mut halves = Vec::new();
+        let mut width = 1;
+        while axes.iter().any(|&(_, size)| width < size) {
+            let halved = axes.iter().rev().filter(|&&(_, size)| width < size);
+            halves.extend(halved.map(|&(axis, _)| (axis, 2, width * step(axis))));
+            width *= 2;
+        }
+        halves.reverse();
+        halves
+    }
+
     fn innermost(&mut self, cells: &[Vec<usize>]) {
         let streams = std::mem::take(&mut self.streams);
         for stream in &streams {
@@ -158,7 +203,7 @@ impl Pen<'_> {
                                 self.component(cell, m, component);
                             }
                         }
-                        self.at = self.at.next_multiple_of(widest);
+                        self.at = self.at.next_multiple_of(widest).next_multiple_of(self.cell);
                     }
                     self.at = self.at.next_multiple_of(self.align);
                 }

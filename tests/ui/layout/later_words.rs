@@ -5,8 +5,6 @@ type Sparse = layout!(pointer(ij, 16).dense(ij, 8).aos);
 type Masked = layout!(dense(ij).bitmasked(ij, 8).soa);
 type Hashed = layout!(hash(ijk).dense(ijk, 8).aos);
 type Lists = layout!(dense(i).dynamic(j, 1024, chunk = 32).aos);
-type Curve = layout!(dense(ij).morton(ij, 8).aos);
-type Padded = layout!(dense(ij).dense(ij, 8).pad(64).aos);
 type Branches = layout!(dense(ij).aos + dense(ij, 8).soa);
 
 fn main() {}

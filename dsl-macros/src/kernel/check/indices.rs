@@ -42,14 +42,10 @@ fn example(count: usize) -> &'static str {
 /// The loop's variables against its space.
 fn variables(kernel: &Kernel, found: &Loop, diagnostics: &mut Diagnostics) {
     let (what, rank) = match &found.head {
-        Head::Ranges(ranges) if ranges.len() > 3 => {
+        Head::Ranges(ranges) if ranges.len() > 4 => {
             diagnostics
-                .error(
-                    Code::LoopRange,
-                    &found.spot.tokens,
-                    "a parallel loop over more than three ranges is not available in this version",
-                )
-                .help("loop over the first three, and over the others inside");
+                .error(Code::LoopRange, &found.spot.tokens, "a parallel loop runs over four ranges at most")
+                .help("loop over the first four, and over the others inside");
             return;
         }
         Head::Ranges(ranges) => ("the loop's head".to_owned(), Some(ranges.len())),
@@ -94,7 +90,7 @@ fn count(kernel: &Kernel, access: &Access, diagnostics: &mut Diagnostics) {
         );
         error.note(format!("the type of `{name}` is `{}`", type_text(&field.ty)));
         error.help(format!(
-            "write `{name}[{}]`; the third parameter of `Field` says its axes: `I` (the default), `Ij`, `Ijk`",
+            "write `{name}[{}]`; the third parameter of `Field` says its axes: `O` (none), `I` (the default), `Ij`, `Ijk`, `Ijkl`",
             example(rank)
         ));
     }

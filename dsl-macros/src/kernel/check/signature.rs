@@ -121,7 +121,7 @@ impl Visit<'_> for Open<'_> {
                 let cure = if place == 0 {
                     "write the record's type; for any record, a type parameter `R: Record`"
                 } else {
-                    "write `I`, `Ij` or `Ijk`; for any axes, a type parameter `X: Axes`"
+                    "write `O`, `I`, `Ij`, `Ijk` or `Ijkl`; for any axes, a type parameter `X: Axes`"
                 };
                 self.diagnostics
                     .error(Code::OpenParameter, open, format!("a field's {what} cannot be left open"))

@@ -36,7 +36,7 @@ fn ranges_are_half_open() {
     body("for i in 0..=n {}", &["A0111"]);
     body("for i in 0.. {}", &["A0111"]);
     body("for (i, j) in ndrange!(0..3, 0..=4) {}", &["A0111"]);
-    body("for (i, j, k, l) in ndrange!(0..3, 0..4, 0..5, 0..6) {}", &["A0111"]);
+    body("for (i, j, k, l, m) in ndrange!(0..3, 0..4, 0..5, 0..6, 0..7) {}", &["A0111"]);
     body("#[serial] for i in 0..=n {}", &[]);
     body("for a in p { for b in 0..=n {} }", &[]);
     body("for a in p { for (b, c) in ndrange!(0..n, 1..) {} }", &["A0111"]);

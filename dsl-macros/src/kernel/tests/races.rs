@@ -1,6 +1,6 @@
 //! Which accesses may stand in one loop.
 
-use super::{body, diagnose};
+use super::{body, codes, diagnose};
 
 #[test]
 fn in_place_stencils() {
@@ -111,4 +111,21 @@ fn all_errors_of_a_kernel_come_at_once() {
         "for a in q { p[n] = x; break; let a = 1; } for i in 0..=3 {} let u = 3;",
         &["A0116", "A0111", "A0120", "A0120", "A0202"],
     );
+}
+
+#[test]
+fn fields_without_axes_are_one_element_to_all() {
+    let of = |body: &str| codes(&format!("fn k(o: &mut Field<R, _, O>, q: &Field<R, _>, n: i32, x: f32) {{ {body} }}"));
+    assert_eq!(of("for i in 0..n { o[()] = x; }"), ["A0202"]);
+    assert_eq!(of("for a in q { o[()] = q[a]; }"), ["A0202"]);
+    assert_eq!(of("for a in q { o.m[()] += q[a]; }"), [""; 0]);
+    assert_eq!(of("for a in q { o[()] += q[a]; let y = o[()]; }"), ["A0203"]);
+    assert_eq!(of("for at in o { o[at] = 2.0 * o[at]; } o[()] = x;"), [""; 0]);
+    assert_eq!(of("o[0] = x; o[()] = x;"), ["A0208"]);
+}
+
+#[test]
+fn four_ranges_are_the_most() {
+    body("for (a, b, c, d) in ndrange!(0..n, 0..n, 0..n, 0..n) { p[a] += x; }", &[]);
+    body("for (a, b, c, d, e) in ndrange!(0..n, 0..n, 0..n, 0..n, 0..n) { p[a] += x; }", &["A0111"]);
 }
