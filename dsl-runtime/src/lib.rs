@@ -97,6 +97,14 @@
 //!
 //! Inner loops, `if`, `match`, `while`, closures and calls of functions on values are plain Rust. `continue` skips an element.
 //!
+//! `u[(i, j)]` reads an element, and an index outside of the field is a panic. These read by a boundary rule instead:
+//!
+//! | read | at an index outside |
+//! | --- | --- |
+//! | `u.clamped((i - 1, j))`, `grid.v.clamped(..)` | the nearest element |
+//! | `u.wrapped((i - 1, j))` | the element at the index modulo the extents: the field is periodic |
+//! | `u.or((i - 1, j), value)` | `value` |
+//!
 //! A variable of the top level that a parallel loop only accumulates into is a reduction. Reductions have a fixed order, and so they
 //! give the same bits for any number of threads and any instruction set.
 //!
@@ -149,7 +157,7 @@
 //! # Not available yet
 //!
 //! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`), `morton` and padding; nested records and enums; loops over borders and
-//! colours; single members as parameters; `#[relaxed]`, `#[ordered]` and atomics that return the old value; `clamped`, `wrapped` and `or` reads;
+//! colours; single members as parameters; `#[relaxed]`, `#[ordered]` and atomics that return the old value;
 //! random numbers; saving and loading. Where one of these words is used, the error says so.
 
 // Expansions name this crate from outside; inside (tests, examples in docs) it is the same name.

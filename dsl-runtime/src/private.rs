@@ -13,6 +13,6 @@ pub use crate::view::{
 
 pub use crate::capture::{Hold, Lend, Wrap, assert_shared};
 pub use crate::serial::{
-    NotAnAccess, byte_offset, cold, index_tuples, indices, interior_indices, interior_tuples, locate, max, min,
-    ndrange, read, read_at, tags, write, write_at,
+    NotAnAccess, byte_offset, clamped, cold, index_tuples, indices, interior_indices, interior_tuples, locate, max,
+    min, ndrange, or, read, read_at, tags, wrapped, write, write_at,
 };

@@ -85,6 +85,57 @@ pub fn read<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
     read_at(field, path, locate(field, index))
 }
 
+/// The value of a path at the element nearest to an index.
+///
+/// # Panics
+/// Where the field has no element.
+#[inline]
+#[track_caller]
+pub fn clamped<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
+    field: &Field<R, L, X>,
+    path: P,
+    index: impl IntoIndex<X>,
+) -> P::Value {
+    // Where there is no such element, `locate` says so.
+    match crate::index::clamped::<X>(index.coordinates(), &field.handle().geometry.shape) {
+        Some(at) => read_at(field, path, Located(at)),
+        None => read(field, path, index),
+    }
+}
+
+/// The value of a path at an index modulo the extents.
+///
+/// # Panics
+/// Where the field has no element, or the index is larger than an `i64`.
+#[inline]
+#[track_caller]
+pub fn wrapped<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
+    field: &Field<R, L, X>,
+    path: P,
+    index: impl IntoIndex<X>,
+) -> P::Value {
+    // Where there is no such element, `locate` says so.
+    match crate::index::wrapped::<X>(index.coordinates(), &field.handle().geometry.shape) {
+        Some(at) => read_at(field, path, Located(at)),
+        None => read(field, path, index),
+    }
+}
+
+/// The value of a path at an index, or `value` where it lies outside of the shape.
+#[inline]
+#[track_caller]
+pub fn or<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
+    field: &Field<R, L, X>,
+    path: P,
+    index: impl IntoIndex<X>,
+    value: P::Value,
+) -> P::Value {
+    match field.handle().locate(index) {
+        Some(at) => read_at(field, path, Located(at)),
+        None => value,
+    }
+}
+
 /// Puts a value at an index.
 ///
 /// # Panics

@@ -96,12 +96,26 @@ pub(crate) struct Access {
     pub(crate) place: Place,
     /// What is done there.
     pub(crate) action: Action,
+    /// What a read means where the index lies outside of the field.
+    pub(crate) boundary: Boundary,
     /// The parallel loop around it.
     pub(crate) parallel: Option<usize>,
     /// The whole expression: for a write with its right side.
     pub(crate) spot: Spot,
     /// `field.path[index]` alone.
     pub(crate) target: Spot,
+}
+
+/// What a read at an index outside of the field means.
+pub(crate) enum Boundary {
+    /// A panic: `f[index]`.
+    Checked,
+    /// The nearest element: `f.clamped(index)`.
+    Clamped,
+    /// The element at the other side, as if the field were repeated: `f.wrapped(index)`.
+    Wrapped,
+    /// A value: `f.or(index, value)`.
+    Or(Expr),
 }
 
 /// Where an index lies as seen from an iteration.
@@ -412,6 +426,8 @@ pub(crate) enum What {
     Argument { function: String },
     /// A method of a field inside a parallel loop.
     FieldMethod { field: usize, name: String, later: bool },
+    /// `f.clamped`, `f.wrapped` or `f.or` with more or fewer arguments than it takes.
+    BoundaryArguments { field: String, name: String },
     /// A method of an element that is not available yet.
     ElementMethod { name: String },
     /// The value of an assignment to an element.

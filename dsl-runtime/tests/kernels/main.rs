@@ -1,6 +1,7 @@
 //! Kernels through the public interface, in several layouts.
 
 mod accumulate;
+mod boundaries;
 mod captures;
 mod loops;
 mod mpm;
