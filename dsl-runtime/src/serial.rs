@@ -6,6 +6,7 @@ use crate::axes::{Axes, MAX_AXES};
 use crate::element::Element;
 use crate::field::Field;
 use crate::index::{Integer, IntoIndex};
+use crate::launch::Border;
 use crate::layout::{Layout, Map};
 use crate::number::{Number, zip};
 use crate::record::{Path, Record};
@@ -223,6 +224,11 @@ pub fn interior_tuples<R: Record, L: Layout<X>, X: Axes>(
     width: u32,
 ) -> impl Iterator<Item = X::Tuple> + use<R, L, X> {
     walk::<L, X>(field.handle().geometry.shape, width).map(X::tuple)
+}
+
+/// The border of a field.
+pub fn border<R: Record, L: Layout<X>, X: Axes>(field: &Field<R, L, X>, width: u32) -> Border {
+    Border::new::<X>(&field.handle().geometry, width)
 }
 
 /// Serial loops inside parallel ones.

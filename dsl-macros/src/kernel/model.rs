@@ -271,6 +271,8 @@ pub(crate) enum Head {
     Field(usize),
     /// `for p in f.interior(width)`.
     Interior { field: usize, width: Box<Expr> },
+    /// Those elements of a head over a field that a sieve lets through.
+    Sifted { base: Box<Head>, sieve: Sieve },
     /// `for i in a..b`, or several ranges in `ndrange!`.
     Ranges(Vec<(Expr, Expr)>),
     /// None of these: a finding tells why.
@@ -282,9 +284,29 @@ impl Head {
     pub(crate) fn field(&self) -> Option<usize> {
         match self {
             Head::Field(field) | Head::Interior { field, .. } => Some(*field),
+            Head::Sifted { base, .. } => base.field(),
             Head::Ranges(_) | Head::Invalid => None,
         }
     }
+
+    /// The border that it leaves out.
+    pub(crate) fn left_out(&self) -> Option<&Expr> {
+        match self {
+            Head::Interior { width, .. } => Some(width),
+            Head::Sifted { base, .. } => base.left_out(),
+            Head::Field(_) | Head::Ranges(_) | Head::Invalid => None,
+        }
+    }
+}
+
+/// Which elements of a head are visited.
+pub(crate) enum Sieve {
+    /// `f.border(width)`.
+    Border(Box<Expr>),
+    /// `.checkerboard(colour)`.
+    Checkerboard(Box<Expr>),
+    /// `.colored(modulus, colour)`.
+    Colored(Box<Expr>, Box<Expr>),
 }
 
 /// A variable of the top level that a loop accumulates into.

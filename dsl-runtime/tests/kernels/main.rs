@@ -3,6 +3,7 @@
 mod accumulate;
 mod boundaries;
 mod captures;
+mod heads;
 mod loops;
 mod mpm;
 mod panics;

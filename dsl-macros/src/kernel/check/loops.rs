@@ -104,7 +104,7 @@ fn head(finding: &Finding, upon: &Upon, diagnostics: &mut Diagnostics) {
     let text = finding.spot.text();
     let error = diagnostics.error(Code::LoopHead, at, format!("a parallel loop cannot run over `{text}`"));
     error.note(
-        "each outermost `for` of a kernel is a parallel launch, and runs over a field, `field.interior(width)`, a range `a..b` or `ndrange!(..)`",
+        "each outermost `for` of a kernel is a parallel launch, and runs over a field, its `interior(width)`, `border(width)`, `checkerboard(colour)` or `colored(n, colour)`, a range `a..b` or `ndrange!(..)`",
     );
     match upon {
         Upon::Range => error.help("loop over the range itself and compute the index inside"),
