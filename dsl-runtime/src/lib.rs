@@ -97,6 +97,7 @@
 //! | `for i in 0..n`, `for (i, j) in ndrange!(0..n, 0..m)` | a range, without a field |
 //! | `for (a, b) in unroll!(0..3, 0..3)` | inner loops only: constants, unrolled at compile time |
 //! | `#[serial] for ..` | any iterator, on one thread, with any access |
+//! | `#[ordered] for t in 0..n` | any iterator, turn after turn; its body is top level: the loops in it are launches |
 //!
 //! Inner loops, `if`, `match`, `while`, closures and calls of functions on values are plain Rust. `continue` skips an element.
 //!
@@ -160,7 +161,7 @@
 //! # Not available yet
 //!
 //! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`), `morton` and padding; nested records and enums; reads of the other colour
-//! beside writes under `checkerboard`; single members as parameters; `#[relaxed]`, `#[ordered]` and atomics that return the old value;
+//! beside writes under `checkerboard`; single members as parameters; `#[relaxed]` and atomics that return the old value;
 //! random numbers; saving and loading. Where one of these words is used, the error says so.
 
 // Expansions name this crate from outside; inside (tests, examples in docs) it is the same name.

@@ -80,9 +80,19 @@ fn parts_of_fields() {
 }
 
 #[test]
+fn the_body_of_an_ordered_loop_is_top_level() {
+    body("#[ordered] for t in 0..n { for a in p { p[a] += 1.0; } for a in q { s += q[a]; } if s > x { break; } }", &[]);
+    body("#[ordered] for t in (0..n).rev() { p[t] = p[t + 1]; for a in p { p[a] *= t as f32; } return; }", &[]);
+    body("#[ordered] for t in 0..n { #[ordered] for a in p { p[a] = x; for i in 0..n { p[i] = x; } } }", &[]);
+    body("#[ordered] for t in 0..n { for a in p { p[a] = p[a + 1]; } }", &["A0201"]);
+    body("#[ordered] for t in 0..n { for a in p { break; } }", &["A0116"]);
+    body("#[serial] for t in 0..n { #[ordered] for r in 0..n { for a in p { p[a] = p[a + 1]; } } }", &[]);
+    body("for a in p { #[ordered] for t in 0..n { p[a] += q[t]; } }", &[]);
+}
+
+#[test]
 fn heads_of_later_versions() {
     body("for a in p { for e in u.row(a) {} }", &["A0113"]);
-    body("#[ordered] for i in 0..n { for a in p { p[a] = 1.0; } }", &["A0114"]);
     body("#[relaxed] for a in p { p[a] = 1.0; }", &["A0114"]);
 }
 
