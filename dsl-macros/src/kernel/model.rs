@@ -115,7 +115,7 @@ pub(crate) enum Boundary {
     /// The element at the other side, as if the field were repeated: `f.wrapped(index)`.
     Wrapped,
     /// A value: `f.or(index, value)`.
-    Or(Expr),
+    Or(Box<Expr>),
 }
 
 /// Where an index lies as seen from an iteration.

@@ -87,7 +87,7 @@ impl Lower {
         let (boundary, index) = match (name.as_str(), arguments.next(), arguments.next(), arguments.next()) {
             ("clamped", Some(index), None, None) => (Boundary::Clamped, index),
             ("wrapped", Some(index), None, None) => (Boundary::Wrapped, index),
-            ("or", Some(index), Some(value), None) => (Boundary::Or(value), index),
+            ("or", Some(index), Some(value), None) => (Boundary::Or(Box::new(value)), index),
             _ => {
                 let field = text(&call.receiver);
                 return self.find(What::BoundaryArguments { field, name }, &spot.tokens);
