@@ -1,6 +1,6 @@
 //! What an element can be indexed by: any integers, converted with a check.
 
-use crate::axes::{Axes, I, Ij, Ijk, Ijkl, MAX_AXES, O};
+use crate::axes::{Axes, I, Ij, Ijk, Ijkl, MAX_AXES, O, per_axis};
 use crate::element::Sealed;
 
 /// An integer that can index or bound a loop.
@@ -158,4 +158,56 @@ pub(crate) fn within<X: Axes>(at: [i64; MAX_AXES], shape: &[u32; MAX_AXES]) -> O
         #[inline(always)]
         || [at[0] as u32, at[1] as u32, at[2] as u32, at[3] as u32],
     )
+}
+
+/// The nearest element to the coordinates; `None` where there is no element.
+#[inline(always)]
+pub(crate) fn clamped<X: Axes>(at: [i64; MAX_AXES], shape: &[u32; MAX_AXES]) -> Option<[u32; MAX_AXES]> {
+    let near = per_axis(
+        #[inline(always)]
+        |a| at[a].min(i64::from(shape[a]) - 1).max(0),
+    );
+    within::<X>(near, shape)
+}
+
+/// The element at the coordinates modulo the extents; `None` where there is no element, or where a coordinate is none that
+/// an `i64` holds.
+#[inline(always)]
+pub(crate) fn wrapped<X: Axes>(at: [i64; MAX_AXES], shape: &[u32; MAX_AXES]) -> Option<[u32; MAX_AXES]> {
+    let inside = per_axis(
+        #[inline(always)]
+        |a| {
+            let (c, n) = (at[a], i64::from(shape[a]));
+            // One extent away is what stencils reach, and needs no division.
+            let near = if c < 0 { c + n } else { c - if c < n { 0 } else { n } };
+            if (near as u64) < n as u64 { near } else { wrapped_far(c, n) }
+        },
+    );
+    within::<X>(inside, shape)
+}
+
+/// `c` modulo `n`; -1 where there is no such place.
+#[cold]
+fn wrapped_far(c: i64, n: i64) -> i64 {
+    // `i64::MAX` stands for all that is larger (`Integer::wide`).
+    if n == 0 || c == i64::MAX { -1 } else { c.rem_euclid(n) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn boundary_rules_at_the_ends_of_integers() {
+        for n in [0u32, 1, 2, 3, 7, i32::MAX as u32] {
+            let shape = [n, 1, 1, 1];
+            for c in [i64::MIN, i64::MIN + 1, -8, -7, -3, -1, 0, 1, 2, 3, 6, 7, 8, 20, i64::MAX - 1] {
+                let expected = (n > 0).then(|| [c.rem_euclid(i64::from(n).max(1)) as u32, 0, 0, 0]);
+                assert_eq!(wrapped::<I>([c, 0, 0, 0], &shape), expected, "{c} modulo {n}");
+                let expected = (n > 0).then(|| [c.clamp(0, i64::from(n).max(1) - 1) as u32, 0, 0, 0]);
+                assert_eq!(clamped::<I>([c, 0, 0, 0], &shape), expected, "{c} near {n}");
+            }
+            assert_eq!(wrapped::<I>([u64::MAX.wide(), 0, 0, 0], &shape), None);
+        }
+    }
 }

@@ -94,12 +94,24 @@
 //! | loop head | runs over |
 //! | --- | --- |
 //! | `for p in points`, `for ij in grid`, `for (i, j) in grid` | the field's elements, each thread in the order in which they lie in memory. The index is `i32`, `IVec2`, `IVec3` or `IVec4`, or a tuple of `i32` |
-//! | `for (i, j) in grid.interior(1)` | all but a border of that width |
+//! | `for (i, j) in grid.interior(1)`, `grid.border(1)` | all but a border of that width; the border alone |
+//! | `for (i, j) in grid.checkerboard(0)` | the elements whose coordinates' sum has that parity, 0 or 1 |
+//! | `for (i, j) in grid.colored(2, c)` | those whose coordinates modulo 2 spell `c`, the first axis most significant |
+//! | `for (i, j) in grid.interior(1).checkerboard(c)` | heads combine: a colour of an interior or of a border |
 //! | `for i in 0..n`, `for (i, j) in ndrange!(0..n, 0..m)` | a range, without a field |
 //! | `for (a, b) in unroll!(0..3, 0..3)` | inner loops only: constants, unrolled at compile time |
 //! | `#[serial] for ..` | any iterator, on one thread, with any access |
+//! | `#[ordered] for t in 0..n` | any iterator, turn after turn; its body is top level: the loops in it are launches |
 //!
 //! Inner loops, `if`, `match`, `while`, closures and calls of functions on values are plain Rust. `continue` skips an element.
+//!
+//! `u[(i, j)]` reads an element, and an index outside of the field is a panic. These read by a boundary rule instead:
+//!
+//! | read | at an index outside |
+//! | --- | --- |
+//! | `u.clamped((i - 1, j))`, `grid.v.clamped(..)` | the nearest element |
+//! | `u.wrapped((i - 1, j))` | the element at the index modulo the extents: the field is periodic |
+//! | `u.or((i - 1, j), value)` | `value` |
 //!
 //! A variable of the top level that a parallel loop only accumulates into is a reduction. Reductions have a fixed order, and so they
 //! give the same bits for any number of threads and any instruction set.
@@ -152,8 +164,8 @@
 //!
 //! # Not available yet
 //!
-//! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`); indices below zero (`with_origin`); nested records and enums; loops over borders and
-//! colours; single members as parameters; `#[relaxed]`, `#[ordered]` and atomics that return the old value; `clamped`, `wrapped` and `or` reads;
+//! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`); indices below zero (`with_origin`); nested records and enums; reads of the other
+//! colour beside writes under `checkerboard`; single members as parameters; `#[relaxed]` and atomics that return the old value;
 //! random numbers; saving and loading. Where one of these words is used, the error says so.
 
 // Expansions name this crate from outside; inside (tests, examples in docs) it is the same name.

@@ -1,5 +1,6 @@
 //! What the macros' expansions call. Nothing here is for users: it changes with the macros, whose version is locked.
 
+pub use crate::launch::{Border, Checkerboard, Colored, Sieve, Sifted, sift, sifted};
 pub use crate::launch::{
     Cell, Options, Outs, Partial, Reduction, Run, Space, Strip, Task, interior, launch, launch_own, over, range,
     reduction,
@@ -13,6 +14,6 @@ pub use crate::view::{
 
 pub use crate::capture::{Hold, Lend, Wrap, assert_shared};
 pub use crate::serial::{
-    NotAnAccess, byte_offset, cold, index_tuples, indices, interior_indices, interior_tuples, locate, max, min,
-    ndrange, read, read_at, tags, write, write_at,
+    NotAnAccess, border, byte_offset, clamped, cold, index_tuples, indices, interior_indices, interior_tuples, locate,
+    max, min, ndrange, or, read, read_at, tags, wrapped, write, write_at,
 };

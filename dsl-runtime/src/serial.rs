@@ -6,6 +6,7 @@ use crate::axes::{Axes, MAX_AXES};
 use crate::element::Element;
 use crate::field::Field;
 use crate::index::{Integer, IntoIndex};
+use crate::launch::Border;
 use crate::layout::{Layout, Map};
 use crate::number::{Number, zip};
 use crate::record::{Path, Record};
@@ -83,6 +84,57 @@ pub fn read<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
     index: impl IntoIndex<X>,
 ) -> P::Value {
     read_at(field, path, locate(field, index))
+}
+
+/// The value of a path at the element nearest to an index.
+///
+/// # Panics
+/// Where the field has no element.
+#[inline]
+#[track_caller]
+pub fn clamped<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
+    field: &Field<R, L, X>,
+    path: P,
+    index: impl IntoIndex<X>,
+) -> P::Value {
+    // Where there is no such element, `locate` says so.
+    match crate::index::clamped::<X>(index.coordinates(), &field.handle().geometry.shape) {
+        Some(at) => read_at(field, path, Located(at)),
+        None => read(field, path, index),
+    }
+}
+
+/// The value of a path at an index modulo the extents.
+///
+/// # Panics
+/// Where the field has no element, or the index is larger than an `i64`.
+#[inline]
+#[track_caller]
+pub fn wrapped<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
+    field: &Field<R, L, X>,
+    path: P,
+    index: impl IntoIndex<X>,
+) -> P::Value {
+    // Where there is no such element, `locate` says so.
+    match crate::index::wrapped::<X>(index.coordinates(), &field.handle().geometry.shape) {
+        Some(at) => read_at(field, path, Located(at)),
+        None => read(field, path, index),
+    }
+}
+
+/// The value of a path at an index, or `value` where it lies outside of the shape.
+#[inline]
+#[track_caller]
+pub fn or<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
+    field: &Field<R, L, X>,
+    path: P,
+    index: impl IntoIndex<X>,
+    value: P::Value,
+) -> P::Value {
+    match field.handle().locate(index) {
+        Some(at) => read_at(field, path, Located(at)),
+        None => value,
+    }
 }
 
 /// Puts a value at an index.
@@ -172,6 +224,11 @@ pub fn interior_tuples<R: Record, L: Layout<X>, X: Axes>(
     width: u32,
 ) -> impl Iterator<Item = X::Tuple> + use<R, L, X> {
     walk::<L, X>(field.handle().geometry.shape, width).map(X::tuple)
+}
+
+/// The border of a field.
+pub fn border<R: Record, L: Layout<X>, X: Axes>(field: &Field<R, L, X>, width: u32) -> Border {
+    Border::new::<X>(&field.handle().geometry, width)
 }
 
 /// Serial loops inside parallel ones.

@@ -96,12 +96,26 @@ pub(crate) struct Access {
     pub(crate) place: Place,
     /// What is done there.
     pub(crate) action: Action,
+    /// What a read means where the index lies outside of the field.
+    pub(crate) boundary: Boundary,
     /// The parallel loop around it.
     pub(crate) parallel: Option<usize>,
     /// The whole expression: for a write with its right side.
     pub(crate) spot: Spot,
     /// `field.path[index]` alone.
     pub(crate) target: Spot,
+}
+
+/// What a read at an index outside of the field means.
+pub(crate) enum Boundary {
+    /// A panic: `f[index]`.
+    Checked,
+    /// The nearest element: `f.clamped(index)`.
+    Clamped,
+    /// The element at the other side, as if the field were repeated: `f.wrapped(index)`.
+    Wrapped,
+    /// A value: `f.or(index, value)`.
+    Or(Box<Expr>),
 }
 
 /// Where an index lies as seen from an iteration.
@@ -257,6 +271,8 @@ pub(crate) enum Head {
     Field(usize),
     /// `for p in f.interior(width)`.
     Interior { field: usize, width: Box<Expr> },
+    /// Those elements of a head over a field that a sieve lets through.
+    Sifted { base: Box<Head>, sieve: Sieve },
     /// `for i in a..b`, or several ranges in `ndrange!`.
     Ranges(Vec<(Expr, Expr)>),
     /// None of these: a finding tells why.
@@ -268,9 +284,29 @@ impl Head {
     pub(crate) fn field(&self) -> Option<usize> {
         match self {
             Head::Field(field) | Head::Interior { field, .. } => Some(*field),
+            Head::Sifted { base, .. } => base.field(),
             Head::Ranges(_) | Head::Invalid => None,
         }
     }
+
+    /// The border that it leaves out.
+    pub(crate) fn left_out(&self) -> Option<&Expr> {
+        match self {
+            Head::Interior { width, .. } => Some(width),
+            Head::Sifted { base, .. } => base.left_out(),
+            Head::Field(_) | Head::Ranges(_) | Head::Invalid => None,
+        }
+    }
+}
+
+/// Which elements of a head are visited.
+pub(crate) enum Sieve {
+    /// `f.border(width)`.
+    Border(Box<Expr>),
+    /// `.checkerboard(colour)`.
+    Checkerboard(Box<Expr>),
+    /// `.colored(modulus, colour)`.
+    Colored(Box<Expr>, Box<Expr>),
 }
 
 /// A variable of the top level that a loop accumulates into.
@@ -412,6 +448,8 @@ pub(crate) enum What {
     Argument { function: String },
     /// A method of a field inside a parallel loop.
     FieldMethod { field: usize, name: String, later: bool },
+    /// `f.clamped`, `f.wrapped` or `f.or` with more or fewer arguments than it takes.
+    BoundaryArguments { field: String, name: String },
     /// A method of an element that is not available yet.
     ElementMethod { name: String },
     /// The value of an assignment to an element.

@@ -4,6 +4,7 @@ pub(crate) mod cpu;
 mod pool;
 pub(crate) mod reduction;
 mod run;
+mod sieve;
 mod space;
 
 use core::marker::PhantomData;
@@ -12,6 +13,7 @@ use std::sync::{Mutex, PoisonError};
 
 pub use reduction::{Partial, Reduction, Strip, reduction};
 pub use run::{Cell, Run};
+pub use sieve::{Border, Checkerboard, Colored, Sieve, Sifted, sift, sifted};
 pub use space::{Space, interior, over, range};
 
 use crate::scatter::{self, Scattered};

@@ -72,6 +72,28 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
         at
     }
 
+    /// The element that a boundary rule gives for an index.
+    ///
+    /// # Panics
+    /// Where it gives none.
+    #[inline(always)]
+    #[track_caller]
+    pub(super) fn locate_by(
+        &self,
+        index: impl IntoIndex<X>,
+        rule: impl Fn([i64; MAX_AXES], &[u32; MAX_AXES]) -> Option<[u32; MAX_AXES]>,
+    ) -> [u32; MAX_AXES] {
+        let (at, shape) = (index.coordinates(), &self.handle.geometry.shape);
+        let Some(at) = rule(at, shape) else { self.site.out_of_range(&at[..X::RANK], &shape[..X::RANK]) };
+        at
+    }
+
+    /// An index, where it lies within the shape.
+    #[inline(always)]
+    pub(super) fn inside(&self, index: impl IntoIndex<X>) -> Option<[u32; MAX_AXES]> {
+        crate::index::within::<X>(index.coordinates(), &self.handle.geometry.shape)
+    }
+
     /// The first component of the path's member, and the distance of its components.
     #[inline(always)]
     pub(super) fn address(&self, at: [u32; MAX_AXES]) -> (*mut u8, usize) {

@@ -21,7 +21,7 @@ pub use free::OwnFree;
 use crate::axes::{Axes, MAX_AXES};
 use crate::element::Element;
 use crate::field::{Field, Handle};
-use crate::launch::{Run, Space, Task};
+use crate::launch::{Border, Run, Space, Task};
 use crate::layout::Layout;
 use crate::record::{Path, Record};
 
@@ -108,6 +108,11 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
     #[inline(always)]
     pub fn shape(&self) -> X::Extents {
         self.handle.geometry.extents::<X>()
+    }
+
+    /// The border of the field.
+    pub fn border(&self, width: u32) -> Border {
+        Border::new::<X>(&self.handle.geometry, width)
     }
 
     /// A view that reads a path at any index.

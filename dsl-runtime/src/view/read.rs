@@ -39,6 +39,40 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Read<'a, R, L, X, P> {
         unsafe { self.0.read(at) }
     }
 
+    /// The value of the element nearest to an index.
+    ///
+    /// # Panics
+    /// Where the field has no element.
+    #[inline(always)]
+    #[track_caller]
+    pub fn clamped(&self, index: impl IntoIndex<X>) -> P::Value {
+        let at = self.0.locate_by(index, crate::index::clamped::<X>);
+        // SAFETY: as in `get`: what `clamped` returns lies within the shape.
+        unsafe { self.0.read(at) }
+    }
+
+    /// The value at an index modulo the extents.
+    ///
+    /// # Panics
+    /// Where the field has no element, or the index is larger than an `i64`.
+    #[inline(always)]
+    #[track_caller]
+    pub fn wrapped(&self, index: impl IntoIndex<X>) -> P::Value {
+        let at = self.0.locate_by(index, crate::index::wrapped::<X>);
+        // SAFETY: as in `get`: what `wrapped` returns lies within the shape.
+        unsafe { self.0.read(at) }
+    }
+
+    /// The value at an index, or `value` where it lies outside of the shape.
+    #[inline(always)]
+    pub fn or(&self, index: impl IntoIndex<X>, value: P::Value) -> P::Value {
+        match self.0.inside(index) {
+            // SAFETY: as in `get`: what `inside` returns lies within the shape.
+            Some(at) => unsafe { self.0.read(at) },
+            None => value,
+        }
+    }
+
     /// The value at `base + offset`, checked with the base where the offset lies in the base's box.
     ///
     /// # Panics

@@ -372,3 +372,47 @@ fn heads_are_evaluated_before_the_loop_takes_its_fields() {
     heads_read_fields(&mut u, &width);
     assert_eq!(u.iter().collect::<Vec<_>>(), [6, 14, 16, 2, 0, 0]);
 }
+
+/// Steps that build on each other, each a launch over all elements; stops where the sum is large enough.
+#[kernel]
+fn growth(u: &mut Field<u64, _>, v: &mut Field<u64, _>, n: u32, most: u64) -> u32 {
+    let mut taken = 0;
+    #[ordered]
+    for step in 0..n {
+        let mut sum = 0;
+        for p in v {
+            v[p] = u[p] + u.wrapped(p + 1) + u64::from(step);
+        }
+        for p in u {
+            u[p] = v[p];
+            sum += v[p];
+        }
+        taken += 1;
+        if sum > most {
+            break;
+        }
+        v[0] = 0;
+    }
+    taken
+}
+
+#[test]
+fn ordered_loops_launch_turn_after_turn() {
+    for (n, most) in [(0, u64::MAX), (5, u64::MAX), (20, 100_000)] {
+        let (mut plain, mut taken) = (vec![1u64; 700], 0);
+        for step in 0..u64::from(n) {
+            plain = (0..700).map(|p| plain[p] + plain[(p + 1) % 700] + step).collect();
+            taken += 1;
+            if plain.iter().sum::<u64>() > most {
+                break;
+            }
+        }
+        for threads in [1, 3] {
+            let (mut u, mut v) = (Field::<u64, Aos>::new([700]), Field::<u64, AoSoA<16>>::new([700]));
+            u.fill(1);
+            let schedule = Schedule { threads, grain: 16, ..Schedule::default() };
+            assert_eq!(schedule.run(|| growth(&mut u, &mut v, n, most)), taken);
+            assert_eq!(u.iter().collect::<Vec<_>>(), plain);
+        }
+    }
+}

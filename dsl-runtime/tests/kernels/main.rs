@@ -2,7 +2,9 @@
 
 mod accumulate;
 mod axes;
+mod boundaries;
 mod captures;
+mod heads;
 mod loops;
 mod mpm;
 mod order;

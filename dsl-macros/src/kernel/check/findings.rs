@@ -50,10 +50,7 @@ fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
             let field = &kernel.fields[*field].name;
             if *later {
                 let message = format!("`{name}` on a field is not available in this version");
-                let error = diagnostics.error(Code::UnavailableMethod, at, message);
-                if ["or", "clamped", "wrapped"].contains(&name.as_str()) {
-                    error.help("test the index, and read at one that lies inside");
-                }
+                diagnostics.error(Code::UnavailableMethod, at, message);
             } else {
                 diagnostics
                     .error(Code::FieldMethod, at, format!("`{field}.{name}` cannot be called inside a parallel loop"))
@@ -62,6 +59,16 @@ fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
                         "call it before or after the loop; inside, elements are read and written as `{field}[..]`"
                     ));
             }
+        }
+        What::BoundaryArguments { field, name } => {
+            let (takes, example) = match name.as_str() {
+                "or" => ("an index and a value", "(i, j), 0.0"),
+                _ => ("one index", "(i, j)"),
+            };
+            diagnostics
+                .error(Code::IndexCount, at, format!("`{field}.{name}` takes {takes}"))
+                .note("an index over several axes is one tuple or one vector")
+                .help(format!("write `{field}.{name}({example})`"));
         }
         What::ElementMethod { name } => {
             diagnostics

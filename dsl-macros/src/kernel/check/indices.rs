@@ -106,7 +106,7 @@ fn shared_write(kernel: &Kernel, access: &Access, diagnostics: &mut Diagnostics)
 
 /// Constant offsets against the border that the loop leaves out.
 fn border(found: &Loop, access: &Access, diagnostics: &mut Diagnostics) {
-    let (Head::Interior { width, .. }, Place::Offset(offset)) = (&found.head, &access.place) else { return };
+    let (Some(width), Place::Offset(offset)) = (found.head.left_out(), &access.place) else { return };
     let Some(width) = integer(width) else { return };
     let reach = offset.iter().map(|offset| offset.saturating_abs()).max().unwrap_or(0);
     if reach > width {

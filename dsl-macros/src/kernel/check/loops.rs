@@ -104,7 +104,7 @@ fn head(finding: &Finding, upon: &Upon, diagnostics: &mut Diagnostics) {
     let text = finding.spot.text();
     let error = diagnostics.error(Code::LoopHead, at, format!("a parallel loop cannot run over `{text}`"));
     error.note(
-        "each outermost `for` of a kernel is a parallel launch, and runs over a field, `field.interior(width)`, a range `a..b` or `ndrange!(..)`",
+        "each outermost `for` of a kernel is a parallel launch, and runs over a field, its `interior(width)`, `border(width)`, `checkerboard(colour)` or `colored(n, colour)`, a range `a..b` or `ndrange!(..)`",
     );
     match upon {
         Upon::Range => error.help("loop over the range itself and compute the index inside"),
@@ -117,11 +117,7 @@ fn head(finding: &Finding, upon: &Upon, diagnostics: &mut Diagnostics) {
 fn later_attribute(finding: &Finding, name: &str, diagnostics: &mut Diagnostics) {
     let message = format!("`#[{name}]` is not available in this version");
     let error = diagnostics.error(Code::UnavailableAttribute, &finding.spot.tokens, message);
-    if name == "ordered" {
-        error.help("write a `while` loop at the top level: each `for` in it is a launch; or call the kernel from a loop outside");
-    } else {
-        error.help("accumulate (`+=`, `min_assign`), or write `#[serial]` before the loop");
-    }
+    error.help("accumulate (`+=`, `min_assign`), or write `#[serial]` before the loop");
 }
 
 fn escape(finding: &Finding, how: &str, diagnostics: &mut Diagnostics) {

@@ -38,7 +38,7 @@ fn outermost(kernel: &Kernel, found: &Loop, clash: &Clash, diagnostics: &mut Dia
         .error(Code::OutermostLoop, &found.spot.tokens, format!("`{head}` is the outermost loop, and so the parallel one"))
         .note(format!("its turns would run at the same time, and `{text}` in line {line} would be changed by all of them"))
         .help(format!(
-            "to run `{inner}` in parallel, turn after turn, write a `while` loop at the top level, whose `for` loops are launches, or call the kernel from a loop outside"
+            "to run `{inner}` in parallel, turn after turn, write `#[ordered]` before the loop: the `for` loops in its body are then launches"
         ))
         .help("to run everything on one thread, write `#[serial]` before the loop");
 }

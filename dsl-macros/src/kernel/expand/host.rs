@@ -6,7 +6,7 @@ use quote::quote;
 use super::names::{Ends, hidden, private, span, tag};
 use super::rewrite::Rewrite;
 use super::views::change;
-use crate::kernel::model::{Access, Action};
+use crate::kernel::model::{Access, Action, Boundary};
 
 /// Reads, writes or changes one element.
 pub(super) fn access(rewrite: &Rewrite<'_>, access: &Access) -> TokenStream {
@@ -17,7 +17,16 @@ pub(super) fn access(rewrite: &Rewrite<'_>, access: &Access) -> TokenStream {
     let ends = Ends::of(&access.target);
     let (part, value) = match &access.action {
         Action::Read => {
-            let read = function(&ends, "read", quote!(&*#field, #tag, #index));
+            let arguments = quote!(&*#field, #tag, #index);
+            let read = match &access.boundary {
+                Boundary::Checked => function(&ends, "read", arguments),
+                Boundary::Clamped => function(&ends, "clamped", arguments),
+                Boundary::Wrapped => function(&ends, "wrapped", arguments),
+                Boundary::Or(value) => {
+                    let value = rewrite.expr(value);
+                    function(&ends, "or", quote!(#arguments, #value))
+                }
+            };
             return ends.read(read);
         }
         Action::Write { part, value } | Action::Update { part, value, .. } => (part, rewrite.expr(value)),

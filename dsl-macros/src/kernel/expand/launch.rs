@@ -10,7 +10,7 @@ use super::names::{handle, hidden, label, numbered, plain, private, span, tag};
 use super::rewrite::{Rewrite, Scope};
 use super::{captures, reductions};
 use crate::kernel::access::{Plan, View, plan};
-use crate::kernel::model::{Capture, Group, Head, Kernel, Loop};
+use crate::kernel::model::{Capture, Group, Head, Kernel, Loop, Sieve};
 
 /// A loop under expansion.
 pub(super) struct Launch<'a> {
@@ -127,9 +127,13 @@ impl Launch<'_> {
 
     /// What is evaluated before the loop takes its fields, and the space.
     fn space(&self) -> (TokenStream, TokenStream) {
+        self.space_of(&self.parallel.head)
+    }
+
+    fn space_of(&self, head: &Head) -> (TokenStream, TokenStream) {
         let private = private();
         let host = Rewrite { kernel: self.kernel, scope: Scope::Host };
-        match &self.parallel.head {
+        match head {
             Head::Field(field) => {
                 let handle = handle(&self.kernel.fields[*field]);
                 (TokenStream::new(), quote!(#private::over(#handle)))
@@ -141,6 +145,21 @@ impl Launch<'_> {
                 }
                 let local = Ident::new("__width", Span::mixed_site().located_at(span(width)));
                 (quote!(let #local = #value;), quote!(#private::interior(#handle, #local)))
+            }
+            Head::Sifted { base, sieve } => {
+                let (bounds, space) = self.space_of(base);
+                let at = match sieve {
+                    Sieve::Border(at) | Sieve::Checkerboard(at) | Sieve::Colored(_, at) => span(at),
+                };
+                let sift = Ident::new("sift", Span::call_site().located_at(at));
+                if let (Sieve::Border(width), Some(field)) = (sieve, head.field()) {
+                    let (handle, value) = (handle(&self.kernel.fields[field]), host.expr(width));
+                    let width = Ident::new("__width", Span::mixed_site().located_at(at));
+                    let space = quote!(#private::#sift(#space, #handle.border(#width)));
+                    return (quote!(#bounds let #width = #value;), space);
+                }
+                let (colour, value) = (hidden("colour"), colour_of(&host, sieve));
+                (quote!(#bounds let #colour = #value;), quote!(#private::#sift(#space, #colour)))
             }
             Head::Ranges(ranges) => {
                 let ranges = ranges.iter().map(|(start, end)| {
@@ -296,6 +315,21 @@ impl Launch<'_> {
             quote!(#(let #patterns = #cell.index();)* #used)
         }
     }
+}
+
+/// The sieve of a colour, whose panics stand at the user's tokens.
+pub(super) fn colour_of(rewrite: &Rewrite<'_>, sieve: &Sieve) -> TokenStream {
+    let private = private();
+    let (name, arguments, at) = match sieve {
+        Sieve::Border(_) => unreachable!("a border has no colour"),
+        Sieve::Checkerboard(colour) => (quote!(Checkerboard), rewrite.expr(colour), span(colour)),
+        Sieve::Colored(modulus, colour) => {
+            let (modulus, value) = (rewrite.expr(modulus), rewrite.expr(colour));
+            (quote!(Colored), quote!(#modulus, #value), span(colour))
+        }
+    };
+    let new = Ident::new("new", Span::call_site().located_at(at));
+    quote!(#private::#name::#new(#arguments))
 }
 
 fn op(group: Group) -> TokenStream {

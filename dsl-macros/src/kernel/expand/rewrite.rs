@@ -9,7 +9,7 @@ use syn::{Block, Expr, Pat, Stmt, Type};
 use super::launch::Launch;
 use super::names::{Ends, label, private};
 use super::{host, launch, unroll, views};
-use crate::kernel::model::{Head, Indices, Jump, Kernel, MacroArguments, MacroCall, Node, node_of};
+use crate::kernel::model::{Head, Indices, Jump, Kernel, MacroArguments, MacroCall, Node, Sieve, node_of};
 use crate::kernel::syntax::name_of;
 
 /// Where an expression stands.
@@ -53,7 +53,7 @@ impl Rewrite<'_> {
             (Node::Access(access), Scope::Host) => host::access(self, access),
             (Node::Access(access), Scope::Parallel(launch)) => views::access(self, launch, node, access),
             (Node::Launch(number), _) => launch::launch(self.kernel, *number),
-            (Node::Indices(indices), _) => self.indices(indices),
+            (Node::Indices(indices), _) => self.indices(&indices.head, indices),
             (Node::Unroll(repeat), _) => unroll::unroll(self, node, repeat),
             (Node::Macro(call), _) => self.macro_call(call),
             (Node::FieldCall(call), _) => {
@@ -76,7 +76,7 @@ impl Rewrite<'_> {
     }
 
     /// The iterator of a serial loop over a field or an `ndrange!`.
-    fn indices(&self, indices: &Indices) -> TokenStream {
+    fn indices(&self, head: &Head, indices: &Indices) -> TokenStream {
         let private = private();
         let kind = if indices.tuple { "tuples" } else { "indices" };
         let name = |prefix: &str, whole: &str| {
@@ -84,7 +84,7 @@ impl Rewrite<'_> {
             proc_macro2::Ident::new(&name, proc_macro2::Span::call_site())
         };
         let whole = if indices.tuple { "index_tuples" } else { "indices" };
-        match (&indices.head, indices.parallel) {
+        match (head, indices.parallel) {
             (Head::Ranges(ranges), _) => {
                 let ranges = ranges.iter().map(|(start, end)| {
                     let (start, end) = (self.expr(start), self.expr(end));
@@ -108,6 +108,21 @@ impl Rewrite<'_> {
                 let handle = super::names::handle(&self.kernel.fields[*field]);
                 let (method, width) = (name("interior", ""), self.expr(width));
                 quote!(#handle.#method(#width))
+            }
+            (Head::Sifted { base, sieve }, parallel) => {
+                let all = self.indices(base, indices);
+                let sieve = match (sieve, head.field(), parallel) {
+                    (Sieve::Border(width), Some(field), None) => {
+                        let (field, width) = (&self.kernel.fields[field].name, self.expr(width));
+                        quote!(#private::border(&*#field, #width))
+                    }
+                    (Sieve::Border(width), Some(field), Some(_)) => {
+                        let (handle, width) = (super::names::handle(&self.kernel.fields[field]), self.expr(width));
+                        quote!(#handle.border(#width))
+                    }
+                    _ => launch::colour_of(self, sieve),
+                };
+                quote!(#private::sifted(#all, #sieve))
             }
             (Head::Invalid, _) => unreachable!("a kernel with an invalid head is not expanded"),
         }

@@ -8,7 +8,7 @@ use super::launch::Launch;
 use super::names::{handle, label, numbered, private};
 use super::rewrite::{Rewrite, Scope};
 use crate::kernel::access::View;
-use crate::kernel::model::{Place, Unroll};
+use crate::kernel::model::{Boundary, Place, Unroll};
 use crate::kernel::syntax::{bare, integer, name_of, parts};
 
 /// The tokens of an unrolled loop.
@@ -124,6 +124,7 @@ fn bases(launch: &Launch<'_>, repeat: &Unroll) -> Vec<Base> {
         if launch.based.contains_key(&node)
             || !matches!(view, View::Any | View::Accumulate)
             || !matches!(access.place, Place::Computed)
+            || !matches!(access.boundary, Boundary::Checked)
         {
             continue;
         }

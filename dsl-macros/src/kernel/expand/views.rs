@@ -7,7 +7,7 @@ use super::launch::Launch;
 use super::names::{Ends, hidden, private, span};
 use super::rewrite::Rewrite;
 use crate::kernel::access::View;
-use crate::kernel::model::{Access, Action, Op, Place, Slot};
+use crate::kernel::model::{Access, Action, Boundary, Op, Place, Slot};
 use crate::kernel::syntax::parts;
 
 /// Reads, writes or changes one element.
@@ -33,9 +33,15 @@ pub(super) fn access(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, ac
         View::Any | View::Accumulate => rewrite.expr(&access.index),
     };
     let based = launch.based(node);
-    let read = match &based {
-        Some((base, offset)) => ends.call(&view, "get_at", quote!(&#base, #offset)),
-        None => ends.call(&view, "get", places.clone()),
+    let read = match (&access.boundary, &based) {
+        (Boundary::Checked, Some((base, offset))) => ends.call(&view, "get_at", quote!(&#base, #offset)),
+        (Boundary::Checked, None) => ends.call(&view, "get", places.clone()),
+        (Boundary::Clamped, _) => ends.call(&view, "clamped", places.clone()),
+        (Boundary::Wrapped, _) => ends.call(&view, "wrapped", places.clone()),
+        (Boundary::Or(value), _) => {
+            let value = rewrite.expr(value);
+            ends.call(&view, "or", quote!(#places, #value))
+        }
     };
     let (part, value) = match &access.action {
         Action::Read => return ends.read(read),

@@ -1,5 +1,6 @@
 //! Accesses, assignments and calls.
 
+use proc_macro2::Span;
 use quote::ToTokens;
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
@@ -7,27 +8,17 @@ use syn::{Expr, Ident};
 
 use super::index::Iteration;
 use super::scope::Kind;
-use super::targets::root;
+use super::targets::{Base, root};
 use super::{Lower, Mode};
 use crate::kernel::model::{
-    Access, Action, Assigned, Capture, FieldCall, Node, Op, Place, Projection, Reduce, Reduction, Spot, What,
+    Access, Action, Assigned, Boundary, Capture, FieldCall, Node, Op, Place, Projection, Reduce, Reduction, Spot, What,
 };
 use crate::kernel::syntax::{bare, compound, name_of};
+use crate::kernel::text::text;
 
 /// Methods of fields that the language knows and this version lacks.
-const LATER_FIELD_METHODS: &[&str] = &[
-    "or",
-    "clamped",
-    "wrapped",
-    "append",
-    "try_append",
-    "activate",
-    "deactivate",
-    "is_active",
-    "row",
-    "get_unchecked",
-    "set_unchecked",
-];
+const LATER_FIELD_METHODS: &[&str] =
+    &["append", "try_append", "activate", "deactivate", "is_active", "row", "get_unchecked", "set_unchecked"];
 
 /// Methods of elements that the language knows and this version lacks.
 const LATER_ELEMENT_METHODS: &[&str] = &[
@@ -70,14 +61,41 @@ impl Lower {
         if matches!(place, Place::Computed | Place::Places(_)) {
             self.visit_expr_mut(&mut index);
         }
-        let parallel = self.parallel();
-        let access =
-            Access { field: base.field, path: base.path, index, place, action, parallel, spot, target: target_spot };
+        let boundary = Boundary::Checked;
+        let (parallel, target) = (self.parallel(), target_spot);
+        let Base { field, path } = base;
+        self.access_node(Access { field, path, index, place, action, boundary, parallel, spot, target }, span)
+    }
+
+    fn access_node(&mut self, access: Access, span: Span) -> Expr {
+        let parallel = access.parallel;
         let node = self.node(Node::Access(Box::new(access)), span);
         if let Some(number) = parallel {
             self.kernel.loops[number].accesses.push(self.kernel.nodes.len() - 1);
         }
         node
+    }
+
+    /// `field.path.clamped(index)` and its like: a read at any index, with a rule for those outside.
+    fn boundary_read(&mut self, expr: &mut Expr, base: Base) {
+        let spot = Spot::new(expr);
+        let Expr::MethodCall(call) = &mut *expr else { return };
+        let name = call.method.to_string();
+        let mut arguments: Vec<Expr> = call.args.iter().cloned().collect();
+        arguments.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
+        let mut arguments = arguments.into_iter();
+        let (boundary, index) = match (name.as_str(), arguments.next(), arguments.next(), arguments.next()) {
+            ("clamped", Some(index), None, None) => (Boundary::Clamped, index),
+            ("wrapped", Some(index), None, None) => (Boundary::Wrapped, index),
+            ("or", Some(index), Some(value), None) => (Boundary::Or(Box::new(value)), index),
+            _ => {
+                let field = text(&call.receiver);
+                return self.find(What::BoundaryArguments { field, name }, &spot.tokens);
+            }
+        };
+        let (Base { field, path }, parallel, place) = (base, self.parallel(), Place::Computed);
+        let (action, target, span) = (Action::Read, spot.clone(), spot.tokens.span());
+        *expr = self.access_node(Access { field, path, index, place, action, boundary, parallel, spot, target }, span);
     }
 
     /// `target = value`.
@@ -206,6 +224,9 @@ impl Lower {
             return visit_mut::visit_expr_mut(self, expr);
         }
         if let Some(base) = self.borrowed_base(&call.receiver) {
+            if matches!(name.as_str(), "clamped" | "wrapped" | "or") {
+                return self.boundary_read(expr, base);
+            }
             return self.field_method(expr, base.field, base.path.is_empty(), &name);
         }
         if self.is_access(&call.receiver)

@@ -7,12 +7,12 @@ use syn::spanned::Spanned;
 use syn::{Expr, RangeLimits, Token};
 
 use super::Lower;
-use crate::kernel::model::{Head, Upon, What};
+use crate::kernel::model::{Head, Sieve, Upon, What};
 use crate::kernel::syntax::{bare, integer};
 use crate::kernel::text::text;
 
 /// Heads that the language knows and this version lacks.
-const LATER_HEADS: &[&str] = &["border", "checkerboard", "colored", "row"];
+const LATER_HEADS: &[&str] = &["row"];
 
 impl Lower {
     /// The head of a parallel loop; what is in no list is a finding.
@@ -38,7 +38,7 @@ impl Lower {
         }
     }
 
-    /// A head over a field: `f`, `f.interior(w)`. Other methods of fields are findings where the loop is parallel.
+    /// A head over a field: `f`, `f.interior(w)`, `f.border(w)`, and the colours of one. Other methods of fields are findings where the loop is parallel.
     pub(super) fn field_head(&mut self, expr: &mut Expr, parallel: bool) -> Option<Head> {
         if let Some(field) = self.field_name(expr) {
             return Some(Head::Field(field));
@@ -49,6 +49,9 @@ impl Lower {
             return Some(Head::Invalid);
         }
         let whole = expr.clone();
+        if let Some(colour) = self.colour_head(expr, parallel) {
+            return Some(colour);
+        }
         let Expr::MethodCall(call) = bare(expr) else { return None };
         let name = call.method.to_string();
         if LATER_HEADS.contains(&name.as_str()) && self.mentions_field(&call.receiver) {
@@ -56,7 +59,7 @@ impl Lower {
             return Some(Head::Invalid);
         }
         let field = self.field_name(&call.receiver)?;
-        if name != "interior" || call.args.len() != 1 {
+        if !matches!(name.as_str(), "interior" | "border") || call.args.len() != 1 {
             if parallel {
                 let upon = self.upon(&whole);
                 self.find(What::Head { upon }, &whole);
@@ -66,7 +69,34 @@ impl Lower {
         }
         let mut width = call.args[0].clone();
         self.visit_expr_mut_free(&mut width);
-        Some(Head::Interior { field, width: Box::new(width) })
+        let width = Box::new(width);
+        Some(match name.as_str() {
+            "border" => Head::Sifted { base: Box::new(Head::Field(field)), sieve: Sieve::Border(width) },
+            _ => Head::Interior { field, width },
+        })
+    }
+
+    /// One colour of a head over a field: `f.checkerboard(c)`, `f.interior(w).colored(n, c)`.
+    fn colour_head(&mut self, expr: &Expr, parallel: bool) -> Option<Head> {
+        let Expr::MethodCall(call) = bare(expr) else { return None };
+        let colours = call.args.len() == if call.method == "checkerboard" { 1 } else { 2 };
+        if !colours || !(call.method == "checkerboard" || call.method == "colored") {
+            return None;
+        }
+        let mut receiver = (*call.receiver).clone();
+        let base = match self.field_head(&mut receiver, parallel)? {
+            Head::Invalid => return Some(Head::Invalid),
+            Head::Sifted { sieve: Sieve::Checkerboard(_) | Sieve::Colored(..), .. } => return None,
+            base => Box::new(base),
+        };
+        let mut arguments: Vec<Expr> = call.args.iter().cloned().collect();
+        arguments.iter_mut().for_each(|argument| self.visit_expr_mut_free(argument));
+        let mut arguments = arguments.into_iter().map(Box::new);
+        let sieve = match (arguments.next()?, arguments.next()) {
+            (colour, None) => Sieve::Checkerboard(colour),
+            (modulus, Some(colour)) => Sieve::Colored(modulus, colour),
+        };
+        Some(Head::Sifted { base, sieve })
     }
 
     /// What an expression is built upon.

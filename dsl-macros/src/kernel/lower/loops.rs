@@ -18,6 +18,8 @@ use crate::kernel::syntax::{bare, name_of, names, parts, plain_names};
 #[derive(Default)]
 struct Attributes {
     serial: bool,
+    /// Whether its turns are taken one after another, and its body is top level.
+    ordered: bool,
     scatter: Option<Ident>,
     /// Whether an attribute that is not available was found.
     later: bool,
@@ -33,7 +35,7 @@ impl Lower {
             Expr::Macro(call) if call.mac.path.is_ident("unroll") => Some(call.mac.tokens.clone()),
             _ => None,
         };
-        let parallel = self.mode == Mode::Top && !attributes.serial && !attributes.later;
+        let parallel = self.mode == Mode::Top && !attributes.serial && !attributes.ordered && !attributes.later;
         if !parallel && let Some(scatter) = &attributes.scatter {
             self.find(What::ScatterPlace, scatter);
         }
@@ -43,7 +45,7 @@ impl Lower {
             self.unroll(expr, tokens);
         } else {
             repeat.attrs = attributes.others;
-            self.serial_loop(repeat);
+            self.serial_loop(repeat, attributes.ordered && !attributes.serial);
         }
     }
 
@@ -53,7 +55,8 @@ impl Lower {
             let name = attribute.path().get_ident().map(ToString::to_string).unwrap_or_default();
             match name.as_str() {
                 "serial" => found.serial = true,
-                "ordered" | "relaxed" => {
+                "ordered" => found.ordered = true,
+                "relaxed" => {
                     found.later = true;
                     self.find(What::LaterAttribute { name }, &attribute);
                 }
@@ -156,9 +159,10 @@ impl Lower {
         }
     }
 
-    fn serial_loop(&mut self, repeat: &mut ExprForLoop) {
+    /// A loop that takes its turns one after another; the body of an ordered one is as much top level as what is around.
+    fn serial_loop(&mut self, repeat: &mut ExprForLoop, ordered: bool) {
         let mode = self.mode;
-        if mode == Mode::Top {
+        if mode == Mode::Top && !ordered {
             self.mode = Mode::Serial;
         }
         let tuple = matches!(&*repeat.pat, Pat::Tuple(_));

@@ -21,6 +21,19 @@ fn serial_loops_take_anything() {
 }
 
 #[test]
+fn reads_with_a_boundary_rule() {
+    body("for (i, j) in u { u[(i, j)] = v.clamped((i - 1, j)) + v.wrapped((i, j + 7)) + v.or((i, j * j), x); }", &[]);
+    body("for (i, j) in u { u.m[(i, j)] = u.w.clamped((i - 1, j)) + u.w.or(ivec2(i, n), u.w[(i, j)]); }", &[]);
+    body("for a in p { for b in unroll!(-1..2) { p[a] += q.wrapped(a + b); } }", &[]);
+    body("let y = u.or((0, n), x) + u.m.clamped((n, n)); #[serial] for a in p { p[a] = p.wrapped(a + 1); }", &[]);
+    // They are reads of other iterations' elements.
+    body("for (i, j) in u { u[(i, j)] = u.clamped((i - 1, j)); }", &["A0201"]);
+    body("for (i, j) in u { u[(i, j)] = u.clamped((i, j)); }", &["A0201"]);
+    body("for (i, j) in u { u.m[(i, j)] = u.m.wrapped((i, j + 1)); let y = u.or((0, 0), x); }", &["A0201", "A0201"]);
+    body("for a in q { p[n] += q.or(a + 1, p.or(0, x)); }", &["A0203"]);
+}
+
+#[test]
 fn inner_loops_are_plain() {
     body(
         "for a in p { for b in q { p[a] += q[b]; } for b in ids.iter() { p[a] -= q[*b]; } while x { p[a] = x; } }",

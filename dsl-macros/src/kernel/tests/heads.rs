@@ -53,12 +53,46 @@ fn patterns_are_names() {
 }
 
 #[test]
-fn heads_of_later_versions() {
-    for head in ["u.border(1)", "u.checkerboard(0)", "u.colored(2, 1)", "u.interior(1).checkerboard(0)"] {
-        body(&format!("for (i, j) in {head} {{}}"), &["A0113"]);
+fn parts_of_fields() {
+    let heads = [
+        "u.border(1)",
+        "u.border(n)",
+        "u.checkerboard(0)",
+        "u.checkerboard(n & 1)",
+        "u.colored(2, 1)",
+        "u.interior(1).checkerboard(0)",
+        "u.interior(n).colored(n, n)",
+        "u.border(2).checkerboard(1)",
+    ];
+    for head in heads {
+        body(&format!("for (i, j) in {head} {{ u[(i, j)] += v[(i, j)]; }}"), &[]);
+        body(&format!("#[serial] for (i, j) in {head} {{ u[(i, j)] = u.clamped((i - 1, j)); }}"), &[]);
+        body(&format!("for a in p {{ for (i, j) in {head} {{ p[a] += v[(i, j)]; }} }}"), &[]);
     }
+    for head in ["u.border()", "u.checkerboard()", "u.colored(2)", "u.checkerboard(0).checkerboard(1)"] {
+        body(&format!("for (i, j) in {head} {{}}"), &["A0110"]);
+    }
+    body("for (i, j) in u.checkerboard(0).interior(1) {}", &["A0110"]);
+    body("for (i, j) in u.m.checkerboard(0) {}", &["A0110"]);
+    body("for (i, j) in u.interior(1).checkerboard(n) { u[(i, j)] = v[(i - 2, j)]; }", &["A0209"]);
+    body("for (i, j) in u.border(1) { u[(i, j)] = v[(i - 2, j)]; }", &[]);
+    body("for (i, j) in u.checkerboard(0) { u[(i, j)] = u[(i - 1, j)]; }", &["A0201"]);
+}
+
+#[test]
+fn the_body_of_an_ordered_loop_is_top_level() {
+    body("#[ordered] for t in 0..n { for a in p { p[a] += 1.0; } for a in q { s += q[a]; } if s > x { break; } }", &[]);
+    body("#[ordered] for t in (0..n).rev() { p[t] = p[t + 1]; for a in p { p[a] *= t as f32; } return; }", &[]);
+    body("#[ordered] for t in 0..n { #[ordered] for a in p { p[a] = x; for i in 0..n { p[i] = x; } } }", &[]);
+    body("#[ordered] for t in 0..n { for a in p { p[a] = p[a + 1]; } }", &["A0201"]);
+    body("#[ordered] for t in 0..n { for a in p { break; } }", &["A0116"]);
+    body("#[serial] for t in 0..n { #[ordered] for r in 0..n { for a in p { p[a] = p[a + 1]; } } }", &[]);
+    body("for a in p { #[ordered] for t in 0..n { p[a] += q[t]; } }", &[]);
+}
+
+#[test]
+fn heads_of_later_versions() {
     body("for a in p { for e in u.row(a) {} }", &["A0113"]);
-    body("#[ordered] for i in 0..n { for a in p { p[a] = 1.0; } }", &["A0114"]);
     body("#[relaxed] for a in p { p[a] = 1.0; }", &["A0114"]);
 }
 

@@ -32,9 +32,13 @@ fn members_and_fields_are_no_values() {
 
 #[test]
 fn methods_of_fields_and_elements() {
-    for method in ["or(a, x)", "clamped(a)", "wrapped(a)", "append(a, x)", "activate(a)"] {
+    for method in ["append(a, x)", "activate(a)"] {
         body(&format!("for a in p {{ p.{method}; }}"), &["A0215"]);
         body(&format!("p.{method}; p.m.{method};"), &["A0215", "A0215"]);
+    }
+    for method in ["clamped()", "clamped(a, b)", "wrapped(a, b)", "or(a)", "or(a, x, x)"] {
+        body(&format!("for a in p {{ p.{method}; }}"), &["A0208"]);
+        body(&format!("p.m.{method};"), &["A0208"]);
     }
     body("for a in q { p[n].fetch_add(1); p[n].swap(1); }", &["A0215", "A0215"]);
     body("for a in p { p.fill(x); p.members(); }", &["A0216", "A0216"]);
