@@ -37,6 +37,13 @@ pub enum Kind {
     Bool,
 }
 
+impl Kind {
+    /// Whether it counts in whole numbers.
+    pub(crate) fn is_integer(self) -> bool {
+        !matches!(self, Self::F32 | Self::F64 | Self::Bool)
+    }
+}
+
 /// A type that a member of a record may have: scalars, glam's vectors, matrices and quaternions, and arrays of elements.
 ///
 /// An element is a fixed list of [`COMPONENTS`](Element::COMPONENTS) scalars of one type, so that a layout can place

@@ -81,9 +81,21 @@
 //! # Fields
 //!
 //! [`Field::new`] makes a field of zeros, [`with_background`](Field::with_background) one of something else; the axes ([`I`], [`Ij`], [`Ijk`], [`Ijkl`], and [`O`] for a single
-//! record, made by `new([])` and indexed by `[()]`) follow from the extents. Outside of kernels a field has `get`,
-//! `set`, `iter`, `fill`, `relayout`, and [`members`](Field::members) and [`members_mut`](Field::members_mut) for one member at a time. Values come and go in
+//! record, made by `new([])` and indexed by `[()]`) follow from the extents. Values come and go in
 //! logical row-major order, whatever the layout. An index out of range panics, or is an error where the name begins with `try_`.
+//!
+//! | outside of kernels | |
+//! | --- | --- |
+//! | `get`, `set`, `fill`, `iter`, [`par_iter`](Field::par_iter) | whole records |
+//! | [`members`](Field::members), [`members_mut`](Field::members_mut) | one member at a time: `grid.members().mass.to_vec()` |
+//! | [`relayout`](Field::relayout), [`copy_from`](Field::copy_from) | copies from layout to layout |
+//! | [`find_nonfinite`](Field::find_nonfinite) | the first number that is NaN or infinite, and where |
+//! | [`reduce`](Field::reduce), [`map_reduce`](Field::map_reduce) | all records combined into one |
+//! | [`exclusive_scan`](Field::exclusive_scan) | every number replaced by the sum of those before it |
+//! | [`reorder_by_key`](Field::reorder_by_key) | a stable sort of whole records, which returns the [`Permutation`] |
+//! | [`scatter`](Field::scatter) | another field's records put where a permutation says |
+//!
+//! From copies on they run on the threads of the [`Schedule`], and give the same bits for any number of them; `par_iter` is rayon's.
 //!
 //! # Kernels
 //!
@@ -194,7 +206,10 @@ pub mod prelude;
 pub use allotrope_macros::{Record, kernel, layout};
 pub use axes::{Axes, I, Ij, Ijk, Ijkl, O, Shape};
 pub use element::{Element, Scalar};
-pub use field::{Field, Member, MemberMut, OutOfRange, Permutation, Records, ShapeError};
+pub use field::{
+    Field, Member, MemberMut, NonFinite, OutOfRange, ParallelRecords, Permutation, PermutationError, Records,
+    ScanOverflow, ShapeError, ShapeMismatch,
+};
 pub use index::{Integer, IntoIndex};
 pub use launch::cpu::Cpu;
 pub use layout::Layout;

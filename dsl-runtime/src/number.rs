@@ -19,6 +19,8 @@ pub trait Number: Scalar {
     const LOWEST: Self;
     /// The sum.
     fn plus(self, other: Self) -> Self;
+    /// The sum; `None` where it is an integer that the type cannot hold.
+    fn checked_plus(self, other: Self) -> Option<Self>;
     /// The difference.
     fn minus(self, other: Self) -> Self;
     /// The product.
@@ -80,6 +82,10 @@ macro_rules! floats {
                 self + other
             }
             #[inline(always)]
+            fn checked_plus(self, other: Self) -> Option<Self> {
+                Some(self + other)
+            }
+            #[inline(always)]
             fn minus(self, other: Self) -> Self {
                 self - other
             }
@@ -111,6 +117,10 @@ macro_rules! integers {
             #[inline(always)]
             fn plus(self, other: Self) -> Self {
                 self.wrapping_add(other)
+            }
+            #[inline(always)]
+            fn checked_plus(self, other: Self) -> Option<Self> {
+                self.checked_add(other)
             }
             #[inline(always)]
             fn minus(self, other: Self) -> Self {

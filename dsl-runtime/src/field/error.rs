@@ -56,6 +56,23 @@ impl fmt::Display for ShapeError {
 
 impl std::error::Error for ShapeError {}
 
+/// Two fields of different shapes where one is wanted.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ShapeMismatch {
+    /// The extents of the field that was to take the records.
+    pub shape: Vec<usize>,
+    /// The extents of the field that has them.
+    pub other: Vec<usize>,
+}
+
+impl fmt::Display for ShapeMismatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a field of shape {:?} cannot take the records of one of shape {:?}", self.shape, self.other)
+    }
+}
+
+impl std::error::Error for ShapeMismatch {}
+
 /// An index that lies outside of a field.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OutOfRange {

@@ -1,4 +1,6 @@
-//! Host access to whole records: get, set, iterate, fill, change the layout.
+//! Host access to whole records: get, set, iterate, fill.
+
+use core::ops::Range;
 
 use super::{Field, Handle, OutOfRange};
 use crate::axes::{Axes, MAX_AXES};
@@ -82,37 +84,48 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     pub fn iter(&self) -> Records<'_, R, L, X> {
         Records { places: Places::new(self.geometry.shape), handle: self.handle() }
     }
-
-    /// A copy in another layout.
-    ///
-    /// # Panics
-    /// Where the other layout cannot hold the shape.
-    pub fn relayout<M: Layout<X>>(&self) -> Field<R, M, X> {
-        let extents = self.geometry.shape.map(|n| n as usize);
-        let to = Field::<R, M, X>::with_extents(extents)
-            .unwrap_or_else(|error| panic!("`{}`: {error}", core::any::type_name::<R>()));
-        let (from, handle) = (self.handle(), to.handle());
-        for at in Places::<X>::new(self.geometry.shape) {
-            // SAFETY: both have the same shape and places lie within it; `to` is not shared yet.
-            unsafe { handle.write::<Whole>(at, from.read::<Whole>(at)) };
-        }
-        to
-    }
 }
 
-/// All places within a shape, in logical row-major order.
+/// Places within a shape, in logical row-major order, from either end.
 #[derive(Clone, Debug)]
 pub(crate) struct Places<X> {
     shape: [u32; MAX_AXES],
     next: [u32; MAX_AXES],
-    left: usize,
+    left: Range<usize>,
     axes: core::marker::PhantomData<X>,
 }
 
 impl<X: Axes> Places<X> {
+    /// All of them.
     pub(crate) fn new(shape: [u32; MAX_AXES]) -> Self {
-        let left = shape.iter().map(|&n| n as usize).product();
-        Self { shape, next: [0; MAX_AXES], left, axes: core::marker::PhantomData }
+        let len = shape.iter().map(|&n| n as usize).product();
+        Self { shape, next: [0; MAX_AXES], left: 0..len, axes: core::marker::PhantomData }
+    }
+
+    /// Those whose numbers in row-major order lie in a range, which ends at the last place or before.
+    pub(crate) fn part(shape: [u32; MAX_AXES], part: Range<usize>) -> Self {
+        let mut this = Self::new(shape);
+        assert!(part.start <= part.end && part.end <= this.left.end, "places that the shape has");
+        this.next = this.numbered(part.start);
+        this.left = part;
+        this
+    }
+
+    /// The place of a number in row-major order. Divides once an axis: for ends and jumps.
+    fn numbered(&self, number: usize) -> [u32; MAX_AXES] {
+        let (mut at, mut rest) = ([0; MAX_AXES], number);
+        for axis in (0..X::RANK).rev() {
+            let extent = (self.shape[axis] as usize).max(1);
+            at[axis] = (rest % extent) as u32;
+            rest /= extent;
+        }
+        at
+    }
+
+    /// The two halves at a number of places from here.
+    fn split_at(self, count: usize) -> (Self, Self) {
+        let middle = self.left.start + count;
+        (Self::part(self.shape, self.left.start..middle), Self::part(self.shape, middle..self.left.end))
     }
 }
 
@@ -120,7 +133,7 @@ impl<X: Axes> Iterator for Places<X> {
     type Item = [u32; MAX_AXES];
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
-        self.left = self.left.checked_sub(1)?;
+        self.left.next()?;
         let at = self.next;
         for axis in (0..X::RANK).rev() {
             self.next[axis] += 1;
@@ -132,7 +145,13 @@ impl<X: Axes> Iterator for Places<X> {
         Some(at)
     }
     fn size_hint(&self) -> (usize, Option<usize>) {
-        (self.left, Some(self.left))
+        self.left.size_hint()
+    }
+}
+impl<X: Axes> DoubleEndedIterator for Places<X> {
+    fn next_back(&mut self) -> Option<Self::Item> {
+        let number = self.left.next_back()?;
+        Some(self.numbered(number))
     }
 }
 impl<X: Axes> ExactSizeIterator for Places<X> {}
@@ -145,7 +164,7 @@ pub struct Records<'a, R, L, X> {
 
 impl<R, L, X> core::fmt::Debug for Records<'_, R, L, X> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "Records({} left)", self.places.left)
+        write!(f, "Records({} left)", self.places.left.len())
     }
 }
 
@@ -160,7 +179,22 @@ impl<R: Record, L: Layout<X>, X: Axes> Iterator for Records<'_, R, L, X> {
         self.places.size_hint()
     }
 }
+impl<R: Record, L: Layout<X>, X: Axes> DoubleEndedIterator for Records<'_, R, L, X> {
+    fn next_back(&mut self) -> Option<R> {
+        let at = self.places.next_back()?;
+        // SAFETY: as for `next`.
+        Some(unsafe { self.handle.read::<Whole>(at) })
+    }
+}
 impl<R: Record, L: Layout<X>, X: Axes> ExactSizeIterator for Records<'_, R, L, X> {}
+
+impl<R: Record, L: Layout<X>, X: Axes> Records<'_, R, L, X> {
+    /// The first `count` of them, and the others.
+    pub(crate) fn split_at(self, count: usize) -> (Self, Self) {
+        let (first, second) = self.places.split_at(count);
+        (Self { places: first, handle: self.handle }, Self { places: second, handle: self.handle })
+    }
+}
 
 impl<'a, R: Record, L: Layout<X>, X: Axes> IntoIterator for &'a Field<R, L, X> {
     type Item = R;

@@ -34,10 +34,16 @@ impl<'a, R, L, X, const M: usize> Member<'a, R, L, X, M> {
     pub(crate) fn new(handle: Handle<'a, R, L, X>) -> Self {
         Self(handle)
     }
+    pub(super) fn handle(&self) -> &Handle<'a, R, L, X> {
+        &self.0
+    }
 }
 impl<'a, R, L, X, const M: usize> MemberMut<'a, R, L, X, M> {
     pub(crate) fn new(handle: Handle<'a, R, L, X>) -> Self {
         Self(handle)
+    }
+    pub(super) fn handle(&self) -> &Handle<'a, R, L, X> {
+        &self.0
     }
 }
 

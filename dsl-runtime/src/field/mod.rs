@@ -1,19 +1,28 @@
 //! Fields: storage, and how the host reaches it.
 
+mod copy;
 mod error;
+mod finite;
 mod host;
 mod member;
 pub(crate) mod memory;
 mod order;
+mod parallel;
+mod parts;
+mod reduce;
+mod scan;
 
 use core::fmt;
 use core::marker::PhantomData;
 use std::sync::Mutex;
 
-pub use error::{OutOfRange, ShapeError};
+pub use error::{OutOfRange, ShapeError, ShapeMismatch};
+pub use finite::NonFinite;
 pub use host::Records;
 pub use member::{Member, MemberMut};
-pub use order::Permutation;
+pub use order::{Permutation, PermutationError};
+pub use parallel::ParallelRecords;
+pub use scan::ScanOverflow;
 
 use crate::axes::{Axes, I, MAX_AXES, Shape};
 use crate::index::{IntoIndex, within};

@@ -1,15 +1,15 @@
 //! Putting a field's records into another order.
 
-use std::sync::{Mutex, PoisonError};
+use core::fmt;
 
+use super::parts::{each_part, in_parts};
 use super::{Field, Memory};
 use crate::axes::{Axes, I};
-use crate::launch::run_jobs;
 use crate::layout::{Layout, Map};
 use crate::record::{Record, Whole};
-use crate::schedule::Schedule;
 
-/// The order that [`Field::reorder_by_key`] made: `old[n]` is where the record now at `n` stood before.
+/// An order of records, such as [`Field::reorder_by_key`] makes: `old_places()[n]` is where the record now at `n` stood
+/// before.
 ///
 /// Ids that point into the reordered field are stale; [`new_places`](Self::new_places) translates them.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,7 +17,86 @@ pub struct Permutation {
     old: Vec<u32>,
 }
 
+/// Why a list of places is no permutation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PermutationError {
+    /// A place lies beyond the list.
+    OutOfRange {
+        /// The record that goes there.
+        record: usize,
+        /// The place.
+        place: u32,
+        /// How many places there are.
+        len: usize,
+    },
+    /// Two records go to one place.
+    Twice {
+        /// The later record that goes there.
+        record: usize,
+        /// The place.
+        place: u32,
+    },
+}
+
+impl fmt::Display for PermutationError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfRange { record, place, len } => {
+                write!(f, "record {record} goes to place {place}, but there are {len} places")
+            }
+            Self::Twice { record, place } => {
+                write!(f, "record {record} goes to place {place}, and so does one before it")
+            }
+        }
+    }
+}
+
+impl std::error::Error for PermutationError {}
+
 impl Permutation {
+    /// The permutation that takes record `n` to `places[n]`.
+    ///
+    /// # Errors
+    /// Where a place lies beyond the list, or two records go to one.
+    ///
+    /// ```
+    /// use allotrope::Permutation;
+    /// let order = Permutation::from_new_places(&[2, 0, 1])?;
+    /// assert_eq!(order.old_places(), [1, 2, 0]);
+    /// let error = Permutation::from_new_places(&[2, 0, 2]).unwrap_err();
+    /// assert_eq!(error.to_string(), "record 2 goes to place 2, and so does one before it");
+    /// # Ok::<(), allotrope::PermutationError>(())
+    /// ```
+    pub fn from_new_places(places: &[u32]) -> Result<Self, PermutationError> {
+        let mut old: Vec<Option<u32>> = vec![None; places.len()];
+        for (record, &place) in places.iter().enumerate() {
+            match old.get_mut(place as usize) {
+                None => return Err(PermutationError::OutOfRange { record, place, len: places.len() }),
+                Some(Some(_)) => return Err(PermutationError::Twice { record, place }),
+                // A place is below the length, which some `u32` is: so is the record's number.
+                Some(free) => *free = Some(record as u32),
+            }
+        }
+        Ok(Self { old: old.into_iter().flatten().collect() })
+    }
+
+    /// How many records it orders.
+    pub fn len(&self) -> usize {
+        self.old.len()
+    }
+
+    /// Whether it orders none.
+    pub fn is_empty(&self) -> bool {
+        self.old.is_empty()
+    }
+
+    /// The permutation that puts every record back.
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        Self { old: self.new_places() }
+    }
+
     /// Where the record now at each place stood before.
     pub fn old_places(&self) -> &[u32] {
         &self.old
@@ -48,10 +127,9 @@ impl<R: Record, L: Layout<I>> Field<R, L, I> {
     /// assert_eq!(order.old_places(), [1, 3, 2, 0]);
     /// ```
     pub fn reorder_by_key<K: Into<u64>>(&mut self, key: impl Fn(&R) -> K + Sync) -> Permutation {
-        let threads = Schedule::current().thread_count();
         let from = self.handle();
         let mut keys = vec![0u64; self.len()];
-        in_parts(threads, &mut keys, |first, keys| {
+        in_parts(&mut keys, |first, keys| {
             for (n, to) in keys.iter_mut().enumerate() {
                 // SAFETY: the place lies within the shape; `&mut self` keeps writers away.
                 *to = key(&unsafe { from.read::<Whole>(I::place((first + n) as u32)) }).into();
@@ -60,7 +138,7 @@ impl<R: Record, L: Layout<I>> Field<R, L, I> {
         let mut old = stable_order(&keys);
         let memory = Memory::zeroed_or_abort(self.memory.bytes(), Map::<R, L, I>::LINE);
         let to = from.at(memory.start());
-        in_parts(threads, &mut old, |first, old| {
+        in_parts(&mut old, |first, old| {
             for (n, &mut before) in old.iter_mut().enumerate() {
                 // SAFETY: `old` is a permutation of the field's places, of which each part writes its own; `memory` has
                 // the field's geometry, and nobody reads it yet.
@@ -70,23 +148,51 @@ impl<R: Record, L: Layout<I>> Field<R, L, I> {
         self.memory = memory;
         Permutation { old }
     }
-}
 
-/// Records that one job takes.
-const PART: usize = 1 << 15;
-
-/// Works on the parts of a list in parallel. `work` is told where its part begins.
-fn in_parts<T: Send>(threads: usize, list: &mut [T], work: impl Fn(usize, &mut [T]) + Sync) {
-    let parts: Vec<Mutex<&mut [T]>> = list.chunks_mut(PART).map(Mutex::new).collect();
-    run_jobs(threads, parts.len(), &|part| {
-        let mut list = parts[part].lock().unwrap_or_else(PoisonError::into_inner);
-        work(part * PART, &mut list);
-    });
+    /// Puts record `n` of a source at the place that a permutation gives it: after a
+    /// [`reorder_by_key`](Self::reorder_by_key), what belongs to the records but lies in another field follows them.
+    ///
+    /// No two records go to one place, which is what a kernel's `b[places[i]] = a[i]` cannot know.
+    ///
+    /// ```
+    /// use allotrope::prelude::*;
+    /// let mut keys = Field::<u32, Aos>::new([3]);
+    /// keys.copy_from_slice(&[30, 10, 20]);
+    /// let mut names = Field::<u8, Soa>::new([3]);
+    /// names.copy_from_slice(b"cab");
+    /// let order = keys.reorder_by_key(|&key| key);
+    /// let mut sorted = Field::<u8, Aos>::new([3]);
+    /// sorted.scatter(&order, &names);
+    /// assert_eq!(sorted.to_vec(), b"abc");
+    /// names.scatter(&order.inverse(), &sorted);
+    /// assert_eq!(names.to_vec(), b"cab");
+    /// ```
+    ///
+    /// # Panics
+    /// Where field, permutation and source are not of one length.
+    #[track_caller]
+    pub fn scatter<M: Layout<I>>(&mut self, permutation: &Permutation, source: &Field<R, M, I>) {
+        assert!(
+            permutation.len() == source.len() && self.len() == source.len(),
+            "`scatter`: a field of {} elements, a permutation of {} and a source of {}",
+            self.len(),
+            permutation.len(),
+            source.len()
+        );
+        let (from, to) = (source.handle(), self.handle());
+        each_part(self.len(), |part| {
+            for n in part {
+                // SAFETY: a permutation's places lie within its length, which is that of both; each part writes its own
+                // places of this field, which `&mut self` keeps others from.
+                unsafe { to.write::<Whole>(I::place(n as u32), from.read::<Whole>(I::place(permutation.old[n]))) };
+            }
+        });
+    }
 }
 
 impl I {
     /// The coordinates of a place on one axis.
-    fn place(n: u32) -> [u32; crate::axes::MAX_AXES] {
+    pub(super) fn place(n: u32) -> [u32; crate::axes::MAX_AXES] {
         const { assert!(<I as Axes>::RANK == 1) };
         [n, 0, 0, 0]
     }

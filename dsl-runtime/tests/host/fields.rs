@@ -1,31 +1,9 @@
-//! What the host can do with a field: make it, read and write it, take its members apart, reorder it.
-
-use std::panic::{AssertUnwindSafe, catch_unwind};
+//! One field: made, read and written, its members taken apart, its records put into order.
 
 use allotrope::ShapeError;
 use allotrope::prelude::*;
 
-#[derive(Record, Clone, Copy, Default, Debug, PartialEq)]
-struct Point {
-    x: Vec2,
-    mass: f32,
-    id: u32,
-}
-
-impl Point {
-    fn numbered(n: u32) -> Self {
-        Self { x: vec2(n as f32, -(n as f32)), mass: n as f32 + 0.5, id: n }
-    }
-}
-
-/// What a call panics with.
-fn panic_of<T>(call: impl FnOnce() -> T) -> String {
-    let Err(payload) = catch_unwind(AssertUnwindSafe(call)) else { panic!("the call returns") };
-    match payload.downcast::<String>() {
-        Ok(text) => *text,
-        Err(payload) => (*payload.downcast::<&str>().expect("a text")).to_owned(),
-    }
-}
+use super::{Point, panic_of};
 
 #[test]
 fn a_new_field_holds_zeros() {
