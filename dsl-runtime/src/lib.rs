@@ -94,8 +94,9 @@
 //! | [`exclusive_scan`](Field::exclusive_scan) | every number replaced by the sum of those before it |
 //! | [`reorder_by_key`](Field::reorder_by_key) | a stable sort of whole records, which returns the [`Permutation`] |
 //! | [`scatter`](Field::scatter) | another field's records put where a permutation says |
+//! | [`save`](Field::save), [`load`](Field::load) | the field as an `.npz` file, which NumPy opens |
 //!
-//! From copies on they run on the threads of the [`Schedule`], and give the same bits for any number of them; `par_iter` is rayon's.
+//! From `relayout` to `scatter` they run on the threads of the [`Schedule`], and give the same bits for any number of them; `par_iter` is rayon's.
 //!
 //! # Kernels
 //!
@@ -178,7 +179,7 @@
 //!
 //! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`); indices below zero (`with_origin`); nested records and enums; reads of the other
 //! colour beside writes under `checkerboard`; single members as parameters; `#[relaxed]` and atomics that return the old value;
-//! random numbers; saving and loading. Where one of these words is used, the error says so.
+//! random numbers. Where one of these words is used, the error says so.
 
 // Expansions name this crate from outside; inside (tests, examples in docs) it is the same name.
 extern crate self as allotrope;
@@ -207,8 +208,8 @@ pub use allotrope_macros::{Record, kernel, layout};
 pub use axes::{Axes, I, Ij, Ijk, Ijkl, O, Shape};
 pub use element::{Element, Scalar};
 pub use field::{
-    Field, Member, MemberMut, NonFinite, OutOfRange, ParallelRecords, Permutation, PermutationError, Records,
-    ScanOverflow, ShapeError, ShapeMismatch,
+    Field, FileError, FileFault, Member, MemberMut, NonFinite, OutOfRange, ParallelRecords, Permutation,
+    PermutationError, Records, ScanOverflow, ShapeError, ShapeMismatch,
 };
 pub use index::{Integer, IntoIndex};
 pub use launch::cpu::Cpu;

@@ -103,4 +103,4 @@ fn nonfinite_at<R: Record, L: Layout<X>, X: Axes>(
 }
 
 /// The names of a bare element, which no struct's member has.
-const BARE: &[&str] = &["0"];
+pub(super) const BARE: &[&str] = &["0"];

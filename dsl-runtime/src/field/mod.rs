@@ -2,6 +2,7 @@
 
 mod copy;
 mod error;
+mod file;
 mod finite;
 mod host;
 mod member;
@@ -17,6 +18,7 @@ use core::marker::PhantomData;
 use std::sync::Mutex;
 
 pub use error::{OutOfRange, ShapeError, ShapeMismatch};
+pub use file::{FileError, FileFault};
 pub use finite::NonFinite;
 pub use host::Records;
 pub use member::{Member, MemberMut};

@@ -7,6 +7,7 @@ use allotrope::prelude::*;
 
 mod algorithms;
 mod fields;
+mod files;
 
 #[derive(Record, Clone, Copy, Default, Debug, PartialEq)]
 struct Point {

@@ -1,0 +1,211 @@
+//! Fields as files that NumPy opens: `.npz`, a ZIP archive of one `.npy` array a member.
+
+mod about;
+mod beside;
+mod error;
+mod npy;
+mod values;
+
+use std::fs::File;
+use std::io::{self, BufReader, BufWriter, Read, Write};
+use std::path::Path;
+
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipArchive, ZipWriter};
+
+pub use error::{FileError, FileFault};
+
+use super::Field;
+use super::finite::BARE;
+use super::host::Places;
+use crate::axes::Axes;
+use crate::layout::Layout;
+use crate::record::{ElementList, Record};
+
+/// Bytes that are moved at a time.
+const PIECE: usize = 1 << 16;
+
+/// What archives add to an array's bytes, at most.
+const HEADERS: u64 = 1 << 12;
+
+impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
+    /// Saves the field as an `.npz` file, which NumPy opens: `numpy.load("grid.npz")["velocity"]`.
+    ///
+    /// There is an array a member, named after it, or `value` for a bare element, whose axes are the field's and, where
+    /// the member has several components, one over these: `velocity: Vec2` of a field of 64 by 48 has the shape
+    /// `(64, 48, 2)`. Matrices are their columns, one after another. The file does not depend on the layout, but for
+    /// its name in `allotrope.json`, which describes the field. Nothing is compressed, since that takes longer than
+    /// most disks.
+    ///
+    /// The file is written beside its place, brought to the disk and renamed: there is the former one or the new one,
+    /// never half of one.
+    ///
+    /// # Errors
+    /// Where the system does not let it be written.
+    ///
+    /// ```
+    /// use allotrope::prelude::*;
+    /// # let folder = tempfile::tempdir().unwrap();
+    /// # let path = folder.path().join("heat.npz");
+    /// let mut heat = Field::<f32, Blocked<8>>::new([64, 48]);
+    /// heat.set([3, 5], 1.5);
+    /// heat.save(&path)?;
+    ///
+    /// let mut again = Field::<f32, Soa>::new([64, 48]);
+    /// again.load(&path)?;
+    /// assert_eq!(again.to_vec(), heat.to_vec());
+    /// # Ok::<(), allotrope::FileError>(())
+    /// ```
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<(), FileError> {
+        let path = path.as_ref();
+        beside::write(path, |file| self.write_archive(file))
+            .map_err(|error| FileError::new(path, FileFault::Write(error)))
+    }
+
+    /// Takes all values from an `.npz` file that [`save`](Self::save) has written from a field of the same record and
+    /// shape, in any layout; or NumPy, with an array for every member and no other:
+    /// `numpy.savez("grid.npz", velocity=v, mass=m)`.
+    ///
+    /// # Errors
+    /// Where the file cannot be read, is cut off or damaged, has another shape or other members, or a `bool` that is
+    /// neither 0 nor 1. The error names the file and what is wrong, and the field stays as it was.
+    ///
+    /// ```
+    /// use allotrope::prelude::*;
+    /// # let folder = tempfile::tempdir().unwrap();
+    /// # let path = folder.path().join("heat.npz");
+    /// Field::<f32, Aos>::new([64, 48]).save(&path)?;
+    /// let error = Field::<f64, Aos>::new([64, 48]).load(&path).unwrap_err();
+    /// assert!(error.to_string().ends_with("has another record: `value.npy` holds `<f4`, its member `<f8`"));
+    /// # Ok::<(), allotrope::FileError>(())
+    /// ```
+    pub fn load(&mut self, path: impl AsRef<Path>) -> Result<(), FileError> {
+        let path = path.as_ref();
+        let fresh = self.read_archive(path).map_err(|fault| FileError::new(path, fault))?;
+        self.memory = fresh.memory;
+        Ok(())
+    }
+
+    fn write_archive(&self, file: &mut File) -> io::Result<()> {
+        let mut archive = ZipWriter::new(BufWriter::new(file));
+        let options = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
+        archive.start_file(about::NAME, options)?;
+        archive.write_all(about::write::<R, L, X>(&self.extents()).as_bytes())?;
+        for (m, spec) in R::Elements::MEMBERS.iter().enumerate() {
+            let bytes = (self.len() * values::size(spec)) as u64;
+            archive.start_file(entry::<R>(m), options.large_file(bytes > u64::from(u32::MAX) - HEADERS))?;
+            npy::write(&mut archive, spec.kind, &self.array_shape(m))?;
+            let mut piece = Vec::with_capacity(PIECE + values::size(spec));
+            for at in Places::<X>::new(self.geometry.shape) {
+                values::append(self, m, at, &mut piece);
+                if piece.len() >= PIECE {
+                    archive.write_all(&piece)?;
+                    piece.clear();
+                }
+            }
+            archive.write_all(&piece)?;
+        }
+        archive.finish()?.flush()
+    }
+
+    /// A field of this one's shape with what the file holds.
+    fn read_archive(&self, path: &Path) -> Result<Self, FileFault> {
+        let file = File::open(path).map_err(FileFault::Read)?;
+        let mut archive =
+            ZipArchive::new(BufReader::new(file)).map_err(|error| FileFault::Archive { why: error.to_string() })?;
+        let known: Vec<String> = (0..R::Elements::MEMBERS.len()).map(entry::<R>).collect();
+        for name in archive.file_names() {
+            let name = name.map_err(|error| FileFault::Archive { why: error.to_string() })?;
+            if name != about::NAME && !known.iter().any(|known| *known == name) {
+                return Err(FileFault::Unknown { entry: name.into_owned() });
+            }
+        }
+        if let Some(number) = archive.index_for_name(about::NAME) {
+            about::check(open(&mut archive, number, about::NAME)?)?;
+        }
+        // All arrays are asked for before any is read, and memory is for this field's shape, not for the file's.
+        let numbers = known
+            .iter()
+            .map(|entry| archive.index_for_name(entry).ok_or_else(|| FileFault::Missing { entry: entry.clone() }));
+        let numbers = numbers.collect::<Result<Vec<usize>, FileFault>>()?;
+        let mut fresh = Self::with_extents(self.geometry.shape.map(|n| n as usize)).map_err(FileFault::Memory)?;
+        for (m, (number, entry)) in numbers.into_iter().zip(&known).enumerate() {
+            fresh.read_array(m, entry, open(&mut archive, number, entry)?)?;
+        }
+        Ok(fresh)
+    }
+
+    /// Takes the values of member `m` from an array, which must end with them.
+    fn read_array(&mut self, m: usize, entry: &str, mut input: impl Read) -> Result<(), FileFault> {
+        let fault = |why: String| FileFault::Entry { entry: entry.into(), why };
+        let (spec, expected) = (&R::Elements::MEMBERS[m], self.array_shape(m));
+        let header = npy::read(&mut input).map_err(fault)?;
+        if header.descr != npy::descr(spec.kind) {
+            let (entry, expected) = (entry.into(), npy::descr(spec.kind));
+            return Err(FileFault::Scalar { entry, found: header.descr, expected });
+        }
+        if header.shape != expected {
+            return Err(FileFault::Shape { entry: entry.into(), found: header.shape, expected });
+        }
+        if header.fortran_order && expected.len() > 1 {
+            return Err(fault("is in Fortran's order: save `numpy.ascontiguousarray` of it".into()));
+        }
+        let damaged = |error: io::Error| fault(format!("is cut off or damaged: {error}"));
+        let size = values::size(spec);
+        let mut places = Places::<X>::new(self.geometry.shape);
+        let mut piece = vec![0; size * (PIECE / size.max(1)).max(1)];
+        while places.len() > 0 {
+            let count = places.len().min(piece.len() / size.max(1)).max(1);
+            let piece = &mut piece[..size * count];
+            input.read_exact(piece).map_err(damaged)?;
+            for (n, at) in places.by_ref().take(count).enumerate() {
+                values::put(self, m, at, &piece[n * size..(n + 1) * size]).map_err(|found| FileFault::Value {
+                    entry: entry.into(),
+                    index: at[..X::RANK].to_vec(),
+                    found,
+                })?;
+            }
+        }
+        // The archive's sum of the array's bytes is compared at their end.
+        match input.read(&mut [0]).map_err(damaged)? {
+            0 => Ok(()),
+            _ => Err(fault("goes on after its last value".into())),
+        }
+    }
+
+    /// The field's extents.
+    fn extents(&self) -> Vec<u64> {
+        self.geometry.shape[..X::RANK].iter().map(|&n| u64::from(n)).collect()
+    }
+
+    /// The extents of the array of member `m`.
+    fn array_shape(&self, m: usize) -> Vec<u64> {
+        let components = R::Elements::MEMBERS[m].components;
+        let mut shape = self.extents();
+        if components != 1 {
+            shape.push(components as u64);
+        }
+        shape
+    }
+}
+
+/// The name of the array of member `m`.
+fn array_name<R: Record>(m: usize) -> &'static str {
+    if R::NAMES == BARE { "value" } else { R::NAMES[m] }
+}
+
+/// The name of its file in the archive.
+fn entry<R: Record>(m: usize) -> String {
+    format!("{}.npy", array_name::<R>(m))
+}
+
+/// A part of an archive, to be read.
+fn open<'a, F: Read + io::Seek>(
+    archive: &'a mut ZipArchive<F>,
+    number: usize,
+    entry: &str,
+) -> Result<impl Read + use<'a, F>, FileFault> {
+    let fault =
+        |error: zip::result::ZipError| FileFault::Entry { entry: entry.into(), why: format!("is damaged: {error}") };
+    archive.by_index(number).map_err(fault)
+}
