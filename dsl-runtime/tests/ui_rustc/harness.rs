@@ -60,12 +60,13 @@ fn collect(folder: &Path, project: &Path) -> BTreeMap<String, Errors> {
 fn write_manifest(root: &Path, project: &Path) {
     let manifest = format!(
         "[package]\nname = \"ui-rustc\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[workspace]\n\n[dependencies]\nallotrope = {{ path = {:?} }}\n",
-        root.join("dsl-runtime")
+        root
     );
     fs::write(project.join("Cargo.toml"), manifest).expect("a manifest");
     // The same versions as the workspace has.
-    if root.join("Cargo.lock").exists() {
-        fs::copy(root.join("Cargo.lock"), project.join("Cargo.lock")).expect("a copy of the lock file");
+    let lock = root.join("../Cargo.lock");
+    if lock.exists() {
+        fs::copy(lock, project.join("Cargo.lock")).expect("a copy of the lock file");
     }
 }
 
