@@ -89,8 +89,6 @@ codes! {
     InteriorOffset = A0209,
     /// The value of an accumulation, which has none.
     AccumulateValue = A0210,
-    /// An accumulation into one component at an index that is not the iteration's own.
-    AccumulateComponent = A0211,
     /// A compound assignment that is no accumulation, at an index that is not the iteration's own.
     OperatorScatter = A0212,
     /// A field or a member bound to a variable, or a member without an index.
@@ -107,7 +105,7 @@ codes! {
     ReductionOperators = A0218,
     /// A variable from outside a parallel loop that the loop assigns.
     OuterAssigned = A0219,
-    /// A reduction into a part of a variable.
+    /// A reduction into a part of a variable beside one into more of it.
     ReductionPart = A0220,
     /// Elements as targets of a destructuring assignment.
     Destructuring = A0221,

@@ -126,8 +126,10 @@
 //! | `u.wrapped((i - 1, j))` | the element at the index modulo the extents: the field is periodic |
 //! | `u.or((i - 1, j), value)` | `value` |
 //!
-//! A variable of the top level that a parallel loop only accumulates into is a reduction. Reductions have a fixed order, and so they
-//! give the same bits for any number of threads and any instruction set.
+//! A variable of the top level that a parallel loop only accumulates into is a reduction: a number, vector, matrix or array, also
+//! by components and entries, `centre.x += x`, `bins[k] += 1`. Each entry of a tuple is a reduction of its own, so that `range.0.min_assign(x)`
+//! stands beside `range.1.max_assign(x)`. Reductions have a fixed order, and so they give the same bits for any number of
+//! threads and any instruction set.
 //!
 //! # What a loop may do to a field
 //!

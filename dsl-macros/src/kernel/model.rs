@@ -312,6 +312,10 @@ pub(crate) enum Sieve {
 /// A variable of the top level that a loop accumulates into.
 pub(crate) struct Reduction {
     pub(crate) name: Ident,
+    /// The part of a tuple that stands for itself, `t.0`: parts of a tuple may have different operators.
+    pub(crate) place: Vec<Member>,
+    /// Whether a component or an entry is accumulated into: then jobs keep a whole value, instead of lanes.
+    pub(crate) by_parts: bool,
     pub(crate) group: Group,
     /// The first operator, for messages.
     pub(crate) first: (Op, Spot),
@@ -381,9 +385,12 @@ pub(crate) struct FieldCall {
     pub(crate) method: Ident,
 }
 
-/// `variable op= value`.
+/// `variable op= value`, or to a part of the variable.
 pub(crate) struct Reduce {
     pub(crate) variable: Ident,
+    /// The reduction, by its place in [`Loop::reductions`].
+    pub(crate) reduction: usize,
+    pub(crate) part: Vec<Projection>,
     pub(crate) op: Op,
     pub(crate) value: Expr,
 }
@@ -460,6 +467,8 @@ pub(crate) enum What {
     OuterAssigned { name: String, how: Assigned },
     /// A reduction read in its loop.
     ReductionRead { name: String },
+    /// A tuple accumulated into as a whole and by parts.
+    ReductionParts { name: String, line: usize },
     /// A reduction with two groups.
     ReductionGroups { name: String, op: Op, first: Op, line: usize },
     /// `random(seed, key)`.
@@ -485,10 +494,6 @@ pub(crate) enum Assigned {
     Plain,
     /// `x /= ..` and its like.
     Operator(Op),
-    /// `x.y += ..`.
-    Component,
-    /// `x[k] += ..`.
-    Entry,
     /// Through a reference.
     Reference,
 }

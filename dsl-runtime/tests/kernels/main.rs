@@ -9,6 +9,7 @@ mod loops;
 mod mpm;
 mod order;
 mod panics;
+mod parts;
 mod reductions;
 mod stencils;
 mod unrolled;
