@@ -131,6 +131,8 @@
 //! stands beside `range.1.max_assign(x)`. Reductions have a fixed order, and so they give the same bits for any number of
 //! threads and any instruction set.
 //!
+//! [`random::<f32>(seed, key)`](random) is a function of its arguments alone, so that it gives the same numbers for any number of threads.
+//!
 //! # What a loop may do to a field
 //!
 //! For each member the kernel finds how a loop uses it, and the loop gets a view of the member that can do this and no more. The first row that
@@ -180,8 +182,8 @@
 //! # Not available yet
 //!
 //! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`); indices below zero (`with_origin`); nested records and enums; reads of the other
-//! colour beside writes under `checkerboard`; single members as parameters; `#[relaxed]` and atomics that return the old value;
-//! random numbers. Where one of these words is used, the error says so.
+//! colour beside writes under `checkerboard`; single members as parameters; `#[relaxed]` and atomics that return the old value.
+//! Where one of these words is used, the error says so.
 
 // Expansions name this crate from outside; inside (tests, examples in docs) it is the same name.
 extern crate self as allotrope;
@@ -195,6 +197,7 @@ mod index;
 mod launch;
 pub mod layout;
 mod number;
+mod random;
 mod record;
 mod scatter;
 mod schedule;
@@ -216,6 +219,7 @@ pub use field::{
 pub use index::{Integer, IntoIndex};
 pub use launch::cpu::Cpu;
 pub use layout::Layout;
+pub use random::{Random, RandomKey, random};
 pub use record::{MAX_MEMBERS, Record};
 pub use schedule::{MAX_THREADS, Scatter, Schedule};
 

@@ -33,6 +33,20 @@ pub(crate) struct Kernel {
     pub(crate) mutable: BTreeSet<String>,
     /// What the rules must judge and the tree cannot show.
     pub(crate) findings: Vec<Finding>,
+    /// Fields that are used as a whole at the top level: what happens to them there is not known.
+    pub(crate) handed_on: BTreeSet<usize>,
+    /// What may be a mistake, though it compiles.
+    pub(crate) suspicions: Vec<Suspicion>,
+}
+
+/// What may be a mistake, though it compiles.
+pub(crate) enum Suspicion {
+    /// `left % right`, whose left side may be below zero.
+    Remainder { left: Spot, whole: Spot },
+    /// `unroll!` with so many bodies in all, and so many of what is unrolled around it.
+    Unrolled { around: u64, bodies: u64, at: Spot },
+    /// `random(seed, key)` in a parallel loop.
+    Random { parallel: usize, arguments: Spot, call: Spot },
 }
 
 /// A parameter that is a field.
@@ -471,8 +485,6 @@ pub(crate) enum What {
     ReductionParts { name: String, line: usize },
     /// A reduction with two groups.
     ReductionGroups { name: String, op: Op, first: Op, line: usize },
-    /// `random(seed, key)`.
-    Random,
     /// A `move` closure that holds an access.
     MoveClosure,
 }
@@ -499,6 +511,14 @@ pub(crate) enum Assigned {
 }
 
 impl Kernel {
+    /// All accesses.
+    pub(crate) fn accesses(&self) -> impl Iterator<Item = &Access> {
+        self.nodes.iter().filter_map(|node| match node {
+            Node::Access(access) => Some(&**access),
+            _ => None,
+        })
+    }
+
     /// The access behind a node.
     pub(crate) fn access(&self, node: usize) -> &Access {
         match &self.nodes[node] {

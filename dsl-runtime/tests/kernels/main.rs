@@ -10,6 +10,7 @@ mod mpm;
 mod order;
 mod panics;
 mod parts;
+mod random;
 mod reductions;
 mod stencils;
 mod unrolled;

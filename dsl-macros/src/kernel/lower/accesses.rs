@@ -281,7 +281,9 @@ impl Lower {
                 return;
             }
             self.find(What::FieldMethod { field, name: name.to_owned(), later }, &method);
-        } else if !whole {
+        } else if whole {
+            self.kernel.handed_on.insert(field);
+        } else {
             let receiver = call.receiver.to_token_stream();
             self.find(What::BareMember { field, in_loop: false }, &receiver);
         }
@@ -291,13 +293,7 @@ impl Lower {
     /// `function(arguments)`.
     pub(super) fn visit_call(&mut self, call: &mut syn::ExprCall) {
         let function = call.func.to_token_stream().to_string();
-        if let Expr::Path(path) = &*call.func {
-            let random =
-                path.qself.is_none() && path.path.segments.len() == 1 && path.path.segments[0].ident == "random";
-            if random && call.args.len() == 2 && self.scopes.find(&path.path.segments[0].ident).is_none() {
-                self.find(What::Random, &path.path);
-            }
-        }
+        self.note_random(call);
         self.visit_expr_mut(&mut call.func);
         for argument in &mut call.args {
             self.visit_argument(argument, &function);

@@ -45,8 +45,6 @@ fn methods_of_fields_and_elements() {
     body("for a in p { p.m.fill(x); }", &["A0216"]);
     body("for a in p { p[a] = (p.len() + u.shape()[0]) as f32; p[a].swap(0, 1); }", &[]);
     body("p.fill(x); p.get(3).y();", &[]);
-    body("for a in p { let y = random::<f32>(seed, a); }", &["A0222"]);
-    body("for a in p { let y = self::random(seed, a) + random(a); let random = |y, z| y; random(1, 2); }", &[]);
 }
 
 #[test]
