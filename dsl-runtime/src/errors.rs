@@ -5,7 +5,7 @@
 
 macro_rules! pages {
     ($($code:ident)*) => {$(
-        #[doc = include_str!(concat!("../../dsl-macros/errors/", stringify!($code), ".md"))]
+        #[doc = include_str!(concat!("../errors/", stringify!($code), ".md"))]
         #[allow(non_snake_case, reason = "the code as errors show it")]
         pub mod $code {}
     )*};
