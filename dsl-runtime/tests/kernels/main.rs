@@ -12,6 +12,7 @@ mod panics;
 mod parts;
 mod random;
 mod reductions;
+mod spatial;
 mod stencils;
 mod unrolled;
 

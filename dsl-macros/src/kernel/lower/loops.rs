@@ -209,23 +209,31 @@ impl Lower {
         let Expr::ForLoop(repeat) = &mut *expr else { return };
         let ranges = self.unroll_ranges(tokens);
         let variables = match (plain_names(&repeat.pat), &ranges) {
-            (Some((names, _)), Some(ranges)) if names.len() == ranges.len() => names,
-            (_, Some(ranges)) => {
+            (Some((names, tuple)), Some((axes, ranges)))
+                if names.len() == ranges.len() && !(tuple && axes.is_some()) =>
+            {
+                names
+            }
+            (_, Some((_, ranges))) => {
                 let ranges = ranges.len();
                 self.find(What::UnrollPattern { ranges }, &repeat.pat);
                 return;
             }
             (_, None) => return,
         };
-        let Some(ranges) = ranges else { return };
-        self.note_unrolled(&ranges, repeat.expr.span());
+        let Some((axes, ranges)) = ranges else { return };
+        // As many as in space, if it is over all axes.
+        let counted = if axes.is_some() { vec![ranges[0]; 3] } else { ranges.clone() };
+        self.note_unrolled(&counted, repeat.expr.span());
         let span = repeat.for_token.span;
         let parallel = self.parallel();
         let body = mem::replace(&mut repeat.body, Block { brace_token: Default::default(), stmts: Vec::new() });
+        let unroll_axes = axes.is_some();
         let unroll = Unroll {
             label: repeat.label.clone(),
             variables,
             ranges,
+            axes,
             body,
             breaks: false,
             continues: false,
@@ -239,7 +247,8 @@ impl Lower {
         let pat = repeat.pat.clone();
         *expr = self.node(Node::Unroll(unroll), span);
         let node = self.kernel.nodes.len() - 1;
-        self.targets.push(Target::Unroll { node, label });
+        let closed = unroll_axes;
+        self.targets.push(Target::Unroll { node, label, closed });
         if let Some(number) = parallel {
             self.kernel.loops[number].loops = true;
         }
