@@ -162,7 +162,7 @@ impl Lower {
     }
 
     /// The constant ranges of `unroll!`.
-    pub(super) fn unroll_ranges(&mut self, tokens: TokenStream) -> Option<(Option<syn::Path>, Vec<(i32, i32)>)> {
+    pub(super) fn unroll_ranges(&mut self, tokens: TokenStream) -> Option<Unrolled> {
         let Some(mut list) = arguments(tokens.clone()).filter(|list| !list.is_empty()) else {
             self.find(What::HeadArguments { name: "unroll".to_owned() }, &tokens);
             return None;
@@ -195,8 +195,15 @@ impl Lower {
                 }
             }
         }
-        Some((axes, ranges))
+        Some(Unrolled { axes, ranges })
     }
+}
+
+/// What `unroll!` runs over.
+pub(super) struct Unrolled {
+    /// The type over all of whose axes the one range runs.
+    pub(super) axes: Option<syn::Path>,
+    pub(super) ranges: Vec<(i32, i32)>,
 }
 
 /// Whether a path is named as types are.

@@ -7,7 +7,7 @@ use syn::spanned::Spanned;
 use syn::visit_mut::VisitMut;
 use syn::{Attribute, Block, Expr, ExprForLoop, Ident, Label, Meta, Pat, Stmt};
 
-use super::heads;
+use super::heads::{self, Unrolled};
 use super::jumps::Target;
 use super::scope::Kind;
 use super::{Lower, Mode};
@@ -208,20 +208,11 @@ impl Lower {
     fn unroll(&mut self, expr: &mut Expr, tokens: proc_macro2::TokenStream) {
         let Expr::ForLoop(repeat) = &mut *expr else { return };
         let ranges = self.unroll_ranges(tokens);
-        let variables = match (plain_names(&repeat.pat), &ranges) {
-            (Some((names, tuple)), Some((axes, ranges)))
-                if names.len() == ranges.len() && !(tuple && axes.is_some()) =>
-            {
-                names
-            }
-            (_, Some((_, ranges))) => {
-                let ranges = ranges.len();
-                self.find(What::UnrollPattern { ranges }, &repeat.pat);
-                return;
-            }
-            (_, None) => return,
+        let Some(Unrolled { axes, ranges }) = ranges else { return };
+        let variables = match plain_names(&repeat.pat) {
+            Some((names, tuple)) if names.len() == ranges.len() && !(tuple && axes.is_some()) => names,
+            _ => return self.find(What::UnrollPattern { ranges: ranges.len() }, &repeat.pat),
         };
-        let Some((axes, ranges)) = ranges else { return };
         // As many as in space, if it is over all axes.
         let counted = if axes.is_some() { vec![ranges[0]; 3] } else { ranges.clone() };
         self.note_unrolled(&counted, repeat.expr.span());
