@@ -5,6 +5,7 @@ mod axes;
 mod boundaries;
 mod captures;
 mod heads;
+mod large;
 mod loops;
 mod mpm;
 mod order;
