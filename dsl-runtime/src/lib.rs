@@ -102,7 +102,7 @@
 //!
 //! Parameters are fields (`&Field<R, _, X>`, `&mut Field<R, _, X>`; `_` stands for any layout, a named layout pins it) and any other Rust
 //! values. Each outermost `for` of the body is one parallel launch, run to its end before the next statement; all else at the top level
-//! is ordinary serial Rust. A kernel is a plain function: it may be a method, be generic and return a value. [`Spatial`] and [`Real`] serve kernels for plane and
+//! is ordinary serial Rust. A kernel is a plain function: it may be a method, be generic and return a value. [`spatial`] serves kernels for plane and
 //! space, single and double precision.
 //!
 //! | loop head | runs over |
@@ -114,7 +114,7 @@
 //! | `for (i, j) in grid.interior(1).checkerboard(c)` | heads combine: a colour of an interior or of a border |
 //! | `for i in 0..n`, `for (i, j) in ndrange!(0..n, 0..m)` | a range, without a field |
 //! | `for (a, b) in unroll!(0..3, 0..3)` | inner loops only: constants, unrolled at compile time |
-//! | `for offset in unroll!(X, 0..3)` | the same over all axes of the type parameter `X`, see [`Spatial`] |
+//! | `for offset in unroll!(X, 0..3)` | the same over all axes of the type parameter `X`, see [`spatial`] |
 //! | `#[serial] for ..` | any iterator, on one thread, with any access |
 //! | `#[ordered] for t in 0..n` | any iterator, turn after turn; its body is top level: the loops in it are launches |
 //!
@@ -204,7 +204,7 @@ mod record;
 mod scatter;
 mod schedule;
 mod serial;
-mod spatial;
+pub mod spatial;
 mod view;
 
 #[doc(hidden)]
@@ -225,7 +225,6 @@ pub use layout::Layout;
 pub use random::{Random, RandomKey, random};
 pub use record::{MAX_MEMBERS, Record};
 pub use schedule::{MAX_THREADS, Scatter, Schedule};
-pub use spatial::{IndexVector, Matrix, Real, Spatial, Vector};
 
 /// The examples of the README, compiled and run as documentation tests.
 #[cfg(doctest)]

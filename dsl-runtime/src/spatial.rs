@@ -1,4 +1,6 @@
 //! Types that serve two and three axes, single and double precision: `X::Index`, `X::Vec<T>`, `X::Mat<T>`.
+//!
+//! Generic records and kernels begin with `use allotrope::spatial::*;` beside the prelude. [`Spatial`] shows a kernel.
 
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
@@ -152,6 +154,7 @@ reals! {
 ///
 /// ```
 /// use allotrope::prelude::*;
+/// use allotrope::spatial::*;
 ///
 /// /// A material point.
 /// #[derive(Record, Clone, Copy, Default)]

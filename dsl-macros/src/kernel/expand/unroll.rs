@@ -72,7 +72,7 @@ fn over_axes(rewrite: &Rewrite<'_>, node: usize, repeat: &Unroll, axes: &syn::Pa
     let length = Literal::u32_unsuffixed(end.saturating_sub(start).max(0).unsigned_abs());
     let low = literal(start, "i32");
     quote! {
-        <#axes as ::allotrope::Spatial>::#method::<#length>(
+        <#axes as ::allotrope::spatial::Spatial>::#method::<#length>(
             #low,
             #[inline(always)]
             |#index| #step { #body },
