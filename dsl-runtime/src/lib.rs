@@ -100,8 +100,15 @@
 //!
 //! # Kernels
 //!
-//! Parameters are fields (`&Field<R, _, X>`, `&mut Field<R, _, X>`; `_` stands for any layout, a named layout pins it) and any other Rust
-//! values. Each outermost `for` of the body is one parallel launch, run to its end before the next statement; all else at the top level
+//! | parameter | what it is |
+//! | --- | --- |
+//! | `&Field<R, _, X>`, `&mut Field<R, _, X>` | a field: `_` stands for any layout, a named layout pins it, a type parameter `L` relates several |
+//! | `&Member<T, _, X>`, `&mut Member<T, _, X>` | values `T` of any record: called with `&grid.members().mass`, `&mut grid.members_mut().mass`, or a bare field (see [`AnyMember`]). Members of one record may be handed in together |
+//! | `&[T]`, `&mut [T]` | a slice, which is a field over one axis where a loop runs over it or writes it, and an ordinary value elsewhere |
+//! | `#[field] grid: &mut Grid` | a field whose type has another name |
+//! | anything else | an ordinary Rust value |
+//!
+//! Each outermost `for` of the body is one parallel launch, run to its end before the next statement; all else at the top level
 //! is ordinary serial Rust. A kernel is a plain function: it may be a method, be generic and return a value.
 //!
 //! | loop head | runs over |
@@ -178,7 +185,7 @@
 //! # Not available yet
 //!
 //! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`); indices below zero (`with_origin`); nested records and enums; reads of the other
-//! colour beside writes under `checkerboard`; single members as parameters; `#[relaxed]` and atomics that return the old value;
+//! colour beside writes under `checkerboard`; `#[relaxed]` and atomics that return the old value;
 //! random numbers. Where one of these words is used, the error says so.
 
 // Expansions name this crate from outside; inside (tests, examples in docs) it is the same name.
@@ -208,8 +215,8 @@ pub use allotrope_macros::{Record, kernel, layout};
 pub use axes::{Axes, I, Ij, Ijk, Ijkl, O, Shape};
 pub use element::{Element, Scalar};
 pub use field::{
-    Field, FileError, FileFault, Member, MemberMut, NonFinite, OutOfRange, ParallelRecords, Permutation,
-    PermutationError, Records, ScanOverflow, ShapeError, ShapeMismatch,
+    AnyMember, AnyMemberMut, Field, FileError, FileFault, Member, MemberMut, NonFinite, OutOfRange, ParallelRecords,
+    Permutation, PermutationError, Records, ScanOverflow, ShapeError, ShapeMismatch, Source, SourceMut,
 };
 pub use index::{Integer, IntoIndex};
 pub use launch::cpu::Cpu;

@@ -6,6 +6,7 @@ mod expand;
 mod lower;
 mod model;
 mod parse;
+mod slices;
 mod syntax;
 #[cfg(test)]
 mod tests;

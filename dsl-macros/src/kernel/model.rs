@@ -35,15 +35,41 @@ pub(crate) struct Kernel {
     pub(crate) findings: Vec<Finding>,
 }
 
-/// A parameter that is a field.
+/// A parameter that is a field, or used as one.
 pub(crate) struct FieldParam {
     pub(crate) name: Ident,
+    pub(crate) storage: Storage,
     /// `&mut Field` or `&Field`.
     pub(crate) mutable: bool,
     /// The number of axes, where the type tells.
     pub(crate) rank: Option<usize>,
     /// The type as written.
     pub(crate) ty: Type,
+}
+
+/// What holds the elements of a parameter that is indexed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Storage {
+    /// `Field<R, L, X>`.
+    Field,
+    /// `Member<T, L, X>`: one member of any record.
+    Member,
+    /// `[T]`.
+    Slice,
+    /// What bears `#[field]` under another name.
+    Alias,
+}
+
+impl Storage {
+    /// Whether its type alone says what an index names, so that the expansion must ask it.
+    pub(crate) fn is_opaque(self) -> bool {
+        matches!(self, Storage::Member | Storage::Alias)
+    }
+
+    /// Whether its elements have no members that could be named.
+    pub(crate) fn is_single(self) -> bool {
+        matches!(self, Storage::Member | Storage::Slice)
+    }
 }
 
 /// The user's tokens for a message.
@@ -479,7 +505,7 @@ pub(crate) enum Upon {
 }
 
 /// How a variable from outside is assigned.
-#[derive(PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Assigned {
     /// `x = ..`, or a part of it.
     Plain,

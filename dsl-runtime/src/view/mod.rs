@@ -19,8 +19,8 @@ pub use row::{Buffer, Held, Own, Row, buffer};
 pub use free::OwnFree;
 
 use crate::axes::{Axes, MAX_AXES};
-use crate::element::Element;
-use crate::field::{Field, Handle};
+use crate::element::{Element, Packed};
+use crate::field::{Handle, Source, SourceMut};
 use crate::launch::{Border, Run, Space, Task};
 use crate::layout::Layout;
 use crate::record::{Path, Record};
@@ -73,28 +73,38 @@ impl<R, L, X, const WRITE: bool> fmt::Debug for View<'_, R, L, X, WRITE> {
 /// A field that a loop only reads.
 #[doc(hidden)]
 #[inline(always)]
-pub fn shared<'a, R: Record, L: Layout<X>, X: Axes>(
-    field: &'a Field<R, L, X>,
+pub fn shared<'a, S: Source + ?Sized>(
+    field: &'a S,
     site: &'static Site,
-) -> View<'a, R, L, X, false> {
+) -> View<'a, S::Record, S::Layout, S::Axes, false> {
     View { handle: field.handle(), site }
 }
 
 /// A field that a loop changes.
 #[doc(hidden)]
 #[inline(always)]
-pub fn exclusive<'a, R: Record, L: Layout<X>, X: Axes>(
-    field: &'a mut Field<R, L, X>,
+pub fn exclusive<'a, S: SourceMut + ?Sized>(
+    field: &'a mut S,
     site: &'static Site,
-) -> View<'a, R, L, X, true> {
-    View { handle: field.handle(), site }
+) -> View<'a, S::Record, S::Layout, S::Axes, true> {
+    View { handle: field.handle_mut(), site }
 }
+
+/// Refuses a slice that is no field, at its type.
+#[doc(hidden)]
+pub fn assert_packed<T: Packed>() {}
 
 impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, WRITE> {
     /// The names of its members.
     #[inline(always)]
     pub fn tags(&self) -> R::Tags {
         R::TAGS
+    }
+
+    /// Which member a path names.
+    #[inline(always)]
+    pub fn member<P: Path<R>>(&self, _: P) -> usize {
+        P::MEMBER.expect("an element is one member")
     }
 
     /// Elements in all.

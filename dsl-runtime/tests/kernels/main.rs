@@ -6,10 +6,12 @@ mod boundaries;
 mod captures;
 mod heads;
 mod loops;
+mod members;
 mod mpm;
 mod order;
 mod panics;
 mod reductions;
+mod slices;
 mod stencils;
 mod unrolled;
 

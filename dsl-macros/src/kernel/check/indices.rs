@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::super::syntax::{bare, integer, name_of, parts};
 use crate::diagnostics::{Code, Diagnostics};
-use crate::kernel::model::{Access, Head, Kernel, Loop, Node, Place};
+use crate::kernel::model::{Access, Head, Kernel, Loop, Node, Place, Storage};
 use crate::kernel::text::{text, type_text};
 
 pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
@@ -15,6 +15,7 @@ pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
     for node in &kernel.nodes {
         let Node::Access(access) = node else { continue };
         count(kernel, access, diagnostics);
+        member_of_member(kernel, access, diagnostics);
         if access.changes() && !kernel.fields[access.field].mutable && told.insert(access.field) {
             shared_write(kernel, access, diagnostics);
         }
@@ -89,11 +90,27 @@ fn count(kernel: &Kernel, access: &Access, diagnostics: &mut Diagnostics) {
             format!("`{name}` has {}, and the index `{index}` names {found}", axes(rank)),
         );
         error.note(format!("the type of `{name}` is `{}`", type_text(&field.ty)));
-        error.help(format!(
-            "write `{name}[{}]`; the third parameter of `Field` says its axes: `O` (none), `I` (the default), `Ij`, `Ijk`, `Ijkl`",
-            example(rank)
-        ));
+        error.help(match field.storage {
+            Storage::Slice => format!("write `{name}[{}]`", example(rank)),
+            storage => format!(
+                "write `{name}[{}]`; the third parameter of `{}` says its axes: `O` (none), `I` (the default), `Ij`, `Ijk`, `Ijkl`",
+                example(rank),
+                if storage == Storage::Member { "Member" } else { "Field" }
+            ),
+        });
     }
+}
+
+/// A member is named where the elements have none.
+fn member_of_member(kernel: &Kernel, access: &Access, diagnostics: &mut Diagnostics) {
+    let field = &kernel.fields[access.field];
+    let (Some(first), true) = (access.path.first(), field.storage.is_single()) else { return };
+    let (name, ty) = (&field.name, type_text(&field.ty));
+    let what = if field.storage == Storage::Slice { "a slice" } else { "a single member" };
+    diagnostics
+        .error(Code::MemberOfMember, first, format!("`{name}` is {what}, and has no member `{first}`"))
+        .note(format!("the type of `{name}` is `{ty}`"))
+        .help(format!("write `{name}[..]` for its elements, and `{name}[..].{first}` for a part of one; for whole records, take a `Field`"));
 }
 
 fn shared_write(kernel: &Kernel, access: &Access, diagnostics: &mut Diagnostics) {

@@ -11,8 +11,10 @@ use crate::kernel::model::{Access, Action, Boundary};
 /// Reads, writes or changes one element.
 pub(super) fn access(rewrite: &Rewrite<'_>, access: &Access) -> TokenStream {
     let private = private();
-    let field = &rewrite.kernel.fields[access.field].name;
-    let tag = tag(&quote!(#private::tags(&*#field)), &access.path);
+    let parameter = &rewrite.kernel.fields[access.field];
+    let field = &parameter.name;
+    let (tags, whole) = (quote!(#private::tags(&*#field)), quote!(#private::path(&*#field)));
+    let tag = tag(parameter, &tags, &whole, &access.path);
     let index = rewrite.expr(&access.index);
     let ends = Ends::of(&access.target);
     let (part, value) = match &access.action {

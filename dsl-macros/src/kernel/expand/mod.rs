@@ -22,10 +22,10 @@ pub(super) fn expand(kernel: &Kernel) -> TokenStream {
     let mut function = kernel.function.clone();
     signature::open_layouts(&mut function.sig);
     let rewrite = Rewrite { kernel, scope: Scope::Host };
-    let body = rewrite.block(&kernel.function.block);
+    let (slices, body) = (signature::assert_slices(kernel), rewrite.statements(&kernel.function.block));
     let ItemFn { attrs, vis, sig, .. } = function;
     // Expanded accesses stand at the user's tokens, so that lints could take their parentheses for the user's.
-    quote!(#(#attrs)* #[allow(unused_parens, clippy::deref_addrof)] #vis #sig #body)
+    quote!(#(#attrs)* #[allow(unused_parens, clippy::deref_addrof)] #vis #sig { #slices #body })
 }
 
 /// A function of the same type that does nothing, for a kernel with errors: so that its callers have none.

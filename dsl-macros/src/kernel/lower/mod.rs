@@ -19,6 +19,7 @@ use syn::{Block, Expr, FnArg, Ident, ItemFn, Pat, Stmt, Type};
 
 use self::jumps::Target;
 use self::scope::{Kind, Scopes};
+pub(super) use self::targets::root;
 use super::model::{Finding, Kernel, Node, Spot, What, placeholder};
 use super::parse;
 use super::syntax::{compound, is_tail, name_of, names, pattern_macros};

@@ -3,7 +3,7 @@
 use syn::{Expr, Ident, Member};
 
 use super::Lower;
-use crate::kernel::model::{Assigned, Projection};
+use crate::kernel::model::{Assigned, Projection, Storage};
 use crate::kernel::syntax::{bare, name_of};
 
 /// A field or a member of it, without an index.
@@ -43,14 +43,20 @@ impl Lower {
 
     /// Whether an expression is `field.path[index]`.
     pub(super) fn is_access(&self, expr: &Expr) -> bool {
-        matches!(bare(expr), Expr::Index(index) if self.base(&index.expr).is_some())
+        matches!(bare(expr), Expr::Index(index) if self.names_element(index))
+    }
+
+    /// Whether an index names an element of a field. A range of a slice is a slice again, as anywhere in Rust.
+    fn names_element(&self, index: &syn::ExprIndex) -> bool {
+        let range = matches!(bare(&index.index), Expr::Range(_));
+        self.base(&index.expr).is_some_and(|base| !range || self.kernel.fields[base.field].storage != Storage::Slice)
     }
 
     /// Takes the target of an assignment apart: `field.path[index]`, and the steps from there to a part of the element.
     pub(super) fn target(&self, expr: &Expr) -> Option<(syn::ExprIndex, Vec<Projection>)> {
         match bare(expr) {
             Expr::Index(index) => {
-                if self.base(&index.expr).is_some() {
+                if self.names_element(index) {
                     return Some((index.clone(), Vec::new()));
                 }
                 let (access, mut part) = self.target(&index.expr)?;
@@ -79,7 +85,7 @@ impl Lower {
 }
 
 /// The variable that an assignment's left side changes, and how: all of it, a part, or what it refers to.
-pub(super) fn root(expr: &Expr) -> Option<(&Ident, Assigned)> {
+pub(in crate::kernel) fn root(expr: &Expr) -> Option<(&Ident, Assigned)> {
     let (name, how) = match bare(expr) {
         Expr::Field(member) => (root(&member.base)?, Assigned::Component),
         Expr::Index(index) => (root(&index.expr)?, Assigned::Entry),
