@@ -133,8 +133,12 @@
 //! | `u.wrapped((i - 1, j))` | the element at the index modulo the extents: the field is periodic |
 //! | `u.or((i - 1, j), value)` | `value` |
 //!
-//! A variable of the top level that a parallel loop only accumulates into is a reduction. Reductions have a fixed order, and so they
-//! give the same bits for any number of threads and any instruction set.
+//! A variable of the top level that a parallel loop only accumulates into is a reduction: a number, vector, matrix or array, also
+//! by components and entries, `centre.x += x`, `bins[k] += 1`. Each entry of a tuple is a reduction of its own, so that `range.0.min_assign(x)`
+//! stands beside `range.1.max_assign(x)`. Reductions have a fixed order, and so they give the same bits for any number of
+//! threads and any instruction set.
+//!
+//! [`random::<f32>(seed, key)`](random) is a function of its arguments alone, so that it gives the same numbers for any number of threads.
 //!
 //! # What a loop may do to a field
 //!
@@ -185,8 +189,8 @@
 //! # Not available yet
 //!
 //! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`); indices below zero (`with_origin`); nested records and enums; reads of the other
-//! colour beside writes under `checkerboard`; `#[relaxed]` and atomics that return the old value;
-//! random numbers. Where one of these words is used, the error says so.
+//! colour beside writes under `checkerboard`; `#[relaxed]` and atomics that return the old value.
+//! Where one of these words is used, the error says so.
 
 // Expansions name this crate from outside; inside (tests, examples in docs) it is the same name.
 extern crate self as allotrope;
@@ -200,6 +204,7 @@ mod index;
 mod launch;
 pub mod layout;
 mod number;
+mod random;
 mod record;
 mod scatter;
 mod schedule;
@@ -221,6 +226,7 @@ pub use field::{
 pub use index::{Integer, IntoIndex};
 pub use launch::cpu::Cpu;
 pub use layout::Layout;
+pub use random::{Random, RandomKey, random};
 pub use record::{MAX_MEMBERS, Record};
 pub use schedule::{MAX_THREADS, Scatter, Schedule};
 

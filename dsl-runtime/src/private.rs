@@ -10,7 +10,7 @@ pub use crate::record::{At, ElementList, MemberMuts, MemberRefs, MemberSpec, Pat
 pub use crate::scatter::{Op, Scattered, Target};
 pub use crate::view::{
     Accumulate, Based, Buffer, Free, Held, Own, OwnFree, Read, Row, Site, Var, View, assert_packed, buffer, exclusive,
-    shared,
+    negative, shared,
 };
 
 pub use crate::capture::{Hold, Lend, Wrap, assert_shared};

@@ -4,7 +4,7 @@ use syn::visit::{self, Visit};
 use syn::{Attribute, Block, Expr, Ident};
 
 use super::lower::root;
-use super::model::Assigned;
+use super::model::Projection;
 use super::syntax::{bare, compound, name_of};
 
 /// Heads over a field that are written as its method.
@@ -33,7 +33,10 @@ impl Uses<'_> {
     }
 
     fn change(&mut self, left: &Expr) {
-        self.found |= self.parallel && matches!(root(left), Some((name, Assigned::Entry)) if name == self.name);
+        let entry = |root: super::lower::Root| {
+            root.name == *self.name && !root.dereferenced && matches!(root.part.first(), Some(Projection::Index(_)))
+        };
+        self.found |= self.parallel && root(left).is_some_and(entry);
     }
 }
 

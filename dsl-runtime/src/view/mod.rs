@@ -10,7 +10,7 @@ mod row;
 use core::fmt;
 
 pub use accumulate::Accumulate;
-pub(crate) use accumulate::negative;
+pub use accumulate::negative;
 pub use base::Based;
 pub use free::{Free, Var};
 pub use read::Read;

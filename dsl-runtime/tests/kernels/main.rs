@@ -10,6 +10,8 @@ mod members;
 mod mpm;
 mod order;
 mod panics;
+mod parts;
+mod random;
 mod reductions;
 mod slices;
 mod stencils;

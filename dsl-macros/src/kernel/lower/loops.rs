@@ -218,6 +218,7 @@ impl Lower {
             (_, None) => return,
         };
         let Some(ranges) = ranges else { return };
+        self.note_unrolled(&ranges, repeat.expr.span());
         let span = repeat.for_token.span;
         let parallel = self.parallel();
         let body = mem::replace(&mut repeat.body, Block { brace_token: Default::default(), stmts: Vec::new() });

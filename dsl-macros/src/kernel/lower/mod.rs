@@ -7,6 +7,7 @@ mod jumps;
 mod loops;
 mod macros;
 mod scope;
+mod suspicions;
 mod targets;
 
 use std::collections::BTreeSet;
@@ -19,7 +20,7 @@ use syn::{Block, Expr, FnArg, Ident, ItemFn, Pat, Stmt, Type};
 
 use self::jumps::Target;
 use self::scope::{Kind, Scopes};
-pub(super) use self::targets::root;
+pub(super) use self::targets::{Root, root};
 use super::model::{Finding, Kernel, Node, Spot, What, placeholder};
 use super::parse;
 use super::syntax::{compound, is_tail, name_of, names, pattern_macros};
@@ -48,6 +49,8 @@ pub(super) fn lower(mut function: ItemFn, options: TokenStream) -> Kernel {
         bound: Vec::new(),
         mutable: BTreeSet::new(),
         findings: Vec::new(),
+        handed_on: BTreeSet::new(),
+        suspicions: Vec::new(),
     };
     let mut lower = Lower {
         kernel,
@@ -267,6 +270,10 @@ impl Lower {
                 self.visit_expr_mut(&mut paren.expr);
                 self.statement = false;
             }
+            Expr::Binary(binary) => {
+                self.note_remainder(binary);
+                visit_mut::visit_expr_mut(self, expr);
+            }
             _ => visit_mut::visit_expr_mut(self, expr),
         }
     }
@@ -277,6 +284,8 @@ impl Lower {
         if let Some(field) = self.field(&name) {
             if self.parallel().is_some() {
                 self.find(What::BareField { field }, &name);
+            } else {
+                self.kernel.handed_on.insert(field);
             }
         } else if let Some(kind) = self.outer(&name) {
             self.capture(&name, kind);

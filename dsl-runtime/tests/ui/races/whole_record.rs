@@ -22,11 +22,4 @@ fn component(grid: &mut Field<Node, _>) {
     }
 }
 
-#[kernel]
-fn scattered_component(grid: &mut Field<Node, _>, at: &Field<u32, _>) {
-    for p in at {
-        grid.v[at[p]].x += 1.0;
-    }
-}
-
 fn main() {}
