@@ -110,6 +110,8 @@
 //!
 //! Each outermost `for` of the body is one parallel launch, run to its end before the next statement; all else at the top level
 //! is ordinary serial Rust. A kernel is a plain function: it may be a method, be generic and return a value.
+//! With `T: Real` (see [`Real`]) one kernel serves `f32` and `f64`; records, elements, axes, layouts and constants may be type parameters too, and
+//! `_` leaves the turbofish to them.
 //!
 //! | loop head | runs over |
 //! | --- | --- |
@@ -205,6 +207,7 @@ mod launch;
 pub mod layout;
 mod number;
 mod random;
+mod real;
 mod record;
 mod scatter;
 mod schedule;
@@ -227,6 +230,7 @@ pub use index::{Integer, IntoIndex};
 pub use launch::cpu::Cpu;
 pub use layout::Layout;
 pub use random::{Random, RandomKey, random};
+pub use real::Real;
 pub use record::{MAX_MEMBERS, Record};
 pub use schedule::{MAX_THREADS, Scatter, Schedule};
 

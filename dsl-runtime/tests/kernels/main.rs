@@ -4,6 +4,7 @@ mod accumulate;
 mod axes;
 mod boundaries;
 mod captures;
+mod generic;
 mod heads;
 mod loops;
 mod members;

@@ -111,7 +111,10 @@ pub(super) fn change(rewrite: &Rewrite<'_>, action: &Action, target: &Ident, val
                 token
             });
             let op: TokenStream = op.collect();
-            quote!(#place #op #value;)
+            // An error about the operator is underlined from the first token to the last.
+            let at = |local: &Ident| Ident::new(&local.to_string(), local.span().located_at(span));
+            let (target, value) = (at(target), at(value));
+            quote!(#target #part #op #value;)
         }
     }
 }

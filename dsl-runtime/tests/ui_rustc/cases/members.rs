@@ -23,13 +23,6 @@ fn total(u: &Member<f32, _, Ij>) -> f32 {
     total
 }
 
-#[kernel]
-fn both(a: &mut Member<f32, _, Ij>, b: &mut Member<f32, _, Ij>) {
-    for ij in a {
-        a[ij] = b[ij];
-    }
-}
-
 #[kernel] //~ E0277 E0599
 fn ids(list: &mut [usize]) { //~ E0277
     for i in list {
@@ -44,6 +37,4 @@ fn main() {
     total(&grid); //~ E0271
     total(&"text"); //~ E0277
     halve(&mut grid.members().m); //~ E0277
-    let mut members = grid.members_mut();
-    both(&mut members.m, &mut members.m); //~ E0499
 }
