@@ -169,6 +169,32 @@
 //! unrolled stencil around a computed index once, others each time. An index out of range panics with kernel, field, index, shape and
 //! source line, after the other threads have stopped.
 //!
+//! The ways out are written where they are taken: `#[serial]` before a loop; `unsafe { u.get_unchecked(i) }` and `unsafe { u.set_unchecked(i, value) }`,
+//! which neither check the index nor ask who else touches the element; and `#[kernel(unchecked)]`, which makes the kernel an `unsafe fn` whose
+//! callers promise that all indices in its parallel loops lie within their fields. With debug assertions they are checked all the same.
+//!
+//! ```
+//! use allotrope::prelude::*;
+//!
+//! /// Takes every value from where `order` says.
+//! ///
+//! /// # Safety
+//! /// `order` holds indices of `from`, and is as long as `to`.
+//! #[kernel(unchecked)]
+//! fn gather(from: &Field<f32, _>, order: &Field<u32, _>, to: &mut Field<f32, _>) {
+//!     for p in to {
+//!         to[p] = from[order[p]];
+//!     }
+//! }
+//!
+//! let from = Field::<f32, Soa>::new([8]).with_background(2.0);
+//! let order = Field::<u32, Soa>::new([100]).with_background(7);
+//! let mut to = Field::<f32, Soa>::new([100]);
+//! // SAFETY: `from` has an element 7, and `order` is as long as `to`.
+//! unsafe { gather(&from, &order, &mut to) };
+//! assert_eq!(to.get(99), 2.0);
+//! ```
+//!
 //! # Schedules
 //!
 //! A [`Schedule`] says how launches run; results but for rounding do not depend on it. It holds for calls in a closure,
@@ -212,6 +238,7 @@ mod record;
 mod scatter;
 mod schedule;
 mod serial;
+mod unchecked;
 mod view;
 
 #[doc(hidden)]

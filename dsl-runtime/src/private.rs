@@ -14,7 +14,9 @@ pub use crate::view::{
 };
 
 pub use crate::capture::{Hold, Lend, Wrap, assert_shared};
+pub use crate::unchecked::Unchecked;
+
 pub use crate::serial::{
-    NotAnAccess, border, byte_offset, clamped, cold, index_tuples, indices, interior_indices, interior_tuples, locate,
-    max, min, ndrange, or, path, read, read_at, tags, wrapped, write, write_at,
+    NotAnAccess, border, byte_offset, clamped, cold, get_unchecked, index_tuples, indices, interior_indices,
+    interior_tuples, locate, max, min, ndrange, or, path, read, read_at, set_unchecked, tags, wrapped, write, write_at,
 };

@@ -74,6 +74,45 @@ fn recheck<S: Source + ?Sized>(field: &S, Located(at): Located) -> [u32; MAX_AXE
     at
 }
 
+/// The value of a path at an index, which is checked with debug assertions alone.
+///
+/// # Safety
+/// The index lies within the shape.
+#[inline]
+#[track_caller]
+pub unsafe fn get_unchecked<S: Source<Axes = X> + ?Sized, X: Axes, P: Path<S::Record>>(
+    field: &S,
+    path: P,
+    index: impl IntoIndex<X>,
+) -> P::Value {
+    if cfg!(debug_assertions) {
+        return read(field, path, index);
+    }
+    let at = index.coordinates().map(|c| c as u32);
+    // SAFETY: as the caller promises; the shared borrow keeps writers away.
+    unsafe { field.handle().read::<P>(at) }
+}
+
+/// Puts a value at an index, which is checked with debug assertions alone.
+///
+/// # Safety
+/// The index lies within the shape.
+#[inline]
+#[track_caller]
+pub unsafe fn set_unchecked<S: SourceMut + Source<Axes = X> + ?Sized, X: Axes, P: Path<S::Record>>(
+    field: &mut S,
+    path: P,
+    index: impl IntoIndex<X>,
+    value: P::Value,
+) {
+    if cfg!(debug_assertions) {
+        return write(field, path, index, value);
+    }
+    let at = index.coordinates().map(|c| c as u32);
+    // SAFETY: as the caller promises; `&mut` is exclusive.
+    unsafe { field.handle_mut().write::<P>(at, value) }
+}
+
 /// The value of a path at an index.
 ///
 /// # Panics

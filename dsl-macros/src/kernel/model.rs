@@ -3,7 +3,7 @@
 //! The body stays Rust's syntax tree; whatever belongs to the language in it is replaced by a placeholder that names a
 //! [`Node`]. Back-ends read this model and nothing else.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
@@ -21,6 +21,8 @@ pub(crate) struct Kernel {
     pub(crate) function: ItemFn,
     /// The options in `#[kernel(..)]`.
     pub(crate) options: TokenStream,
+    /// Whether callers promise that indices lie within their fields.
+    pub(crate) unchecked: bool,
     /// The parameters that are fields.
     pub(crate) fields: Vec<FieldParam>,
     /// What the placeholders stand for.
@@ -119,6 +121,8 @@ pub(crate) enum Node {
     Macro(MacroCall),
     /// `f.len()` and its like inside a parallel loop.
     FieldCall(FieldCall),
+    /// `f.get_unchecked(index)` or `f.set_unchecked(index, value)`.
+    Unchecked(UncheckedAccess),
     /// An accumulation into a variable of the top level.
     Reduce(Reduce),
     /// A `break` or `continue` of a parallel or unrolled loop.
@@ -298,6 +302,8 @@ pub(crate) struct Loop {
     pub(crate) continues: bool,
     /// Fields used only through `len`, `shape` or an inner loop's head.
     pub(crate) shapes: BTreeSet<usize>,
+    /// Fields accessed without a check, and whether they are written so.
+    pub(crate) unchecked: BTreeMap<usize, bool>,
 }
 
 /// A loop inside a parallel loop.
@@ -417,6 +423,17 @@ pub(crate) enum MacroArguments {
     Repeat(Box<Expr>, Box<Expr>),
     /// `matches!(value, pattern if guard)`.
     Matches { value: Box<Expr>, pattern: Box<syn::Pat>, guard: Option<Box<Expr>> },
+}
+
+/// An access that is neither checked nor judged: its `unsafe` block answers for it.
+pub(crate) struct UncheckedAccess {
+    pub(crate) field: usize,
+    pub(crate) path: Vec<Ident>,
+    pub(crate) index: Expr,
+    /// What is written.
+    pub(crate) value: Option<Expr>,
+    /// The whole call.
+    pub(crate) spot: Spot,
 }
 
 /// A call of a field's method inside a parallel loop.

@@ -5,7 +5,7 @@ use syn::{FnArg, ItemFn, Pat, Type};
 
 use super::model::{FieldParam, Storage};
 use super::slices;
-use super::syntax::{axes_rank, last_segment, type_arguments};
+use super::syntax::{axes_rank, bare_type, last_segment, type_arguments};
 use crate::diagnostics::{Code, Diagnostics};
 
 /// Reads the function; what has no body or is no function is reported.
@@ -38,7 +38,8 @@ pub(super) fn fields(function: &ItemFn) -> Vec<FieldParam> {
 fn field(argument: &FnArg, body: &syn::Block) -> Option<FieldParam> {
     let FnArg::Typed(argument) = argument else { return None };
     let Pat::Ident(name) = &*argument.pat else { return None };
-    let Type::Reference(reference) = &*argument.ty else { return None };
+    let ty = bare_type(&argument.ty);
+    let Type::Reference(reference) = ty else { return None };
     let storage = storage(&reference.elem, is_marked(argument), || slices::is_field(body, &name.ident))?;
     let rank = match (storage, last_segment(&reference.elem).map(type_arguments).as_deref()) {
         (Storage::Slice, _) | (Storage::Field | Storage::Member, Some([_] | [_, _])) => Some(1),
@@ -50,7 +51,7 @@ fn field(argument: &FnArg, body: &syn::Block) -> Option<FieldParam> {
         storage,
         mutable: reference.mutability.is_some(),
         rank,
-        ty: (*argument.ty).clone(),
+        ty: ty.clone(),
     })
 }
 
@@ -61,7 +62,7 @@ pub(super) fn is_marked(parameter: &syn::PatType) -> bool {
 
 /// What a type holds; `None` if it is no field. A slice is one where it is used as one.
 pub(super) fn storage(ty: &Type, marked: bool, used: impl FnOnce() -> bool) -> Option<Storage> {
-    if let Type::Slice(_) = ty {
+    if let Type::Slice(_) = bare_type(ty) {
         return (marked || used()).then_some(Storage::Slice);
     }
     let segment = last_segment(ty);

@@ -12,6 +12,7 @@ use core::fmt;
 pub use accumulate::Accumulate;
 pub use accumulate::negative;
 pub use base::Based;
+pub(crate) use free::Places;
 pub use free::{Free, Var};
 pub use read::Read;
 pub use row::{Buffer, Held, Own, Row, buffer};
@@ -144,6 +145,35 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
         Row::new(self.handle, self.site, run, by)
     }
 
+    /// Reads a path at an index, whatever else the loop does there.
+    ///
+    /// # Safety
+    /// The index lies within the shape, and no other iteration writes the element meanwhile.
+    #[inline(always)]
+    pub unsafe fn get_unchecked<P: Path<R>>(self, _: P, index: impl crate::index::IntoIndex<X>) -> P::Value {
+        let at = self.promised(index);
+        // SAFETY: as the caller promises.
+        unsafe { self.handle.read::<P>(at) }
+    }
+
+    /// The coordinates of an index that a caller has promised to lie within the shape; checked with debug assertions.
+    #[inline(always)]
+    fn promised(&self, index: impl crate::index::IntoIndex<X>) -> [u32; MAX_AXES] {
+        let at = index.coordinates();
+        debug_assert!(
+            crate::index::within::<X>(at, &self.handle.geometry.shape).is_some(),
+            "kernel `{}`: index {:?} is out of range of field `{}`, whose shape is {:?}",
+            self.site.kernel,
+            &at[..X::RANK],
+            self.site.field,
+            self.shape()
+        );
+        at.map(
+            #[inline(always)]
+            |c| c as u32,
+        )
+    }
+
     /// The field around `base`, if all of `base + low` to `base + high` lies within it.
     #[inline(always)]
     pub fn based<const N: usize>(
@@ -172,6 +202,17 @@ impl<'a, R: Record, L: Layout<X>, X: Axes> View<'a, R, L, X, true> {
         buffer: &'b Buffer<P::Value>,
     ) -> Held<'a, 'b, R, L, X, P, S> {
         Held::new(self.handle, self.site, run, buffer)
+    }
+
+    /// Writes a path at an index, whatever else the loop does there.
+    ///
+    /// # Safety
+    /// The index lies within the shape, and no other iteration reads or writes the element meanwhile.
+    #[inline(always)]
+    pub unsafe fn set_unchecked<P: Path<R>>(self, _: P, index: impl crate::index::IntoIndex<X>, value: P::Value) {
+        let at = self.promised(index);
+        // SAFETY: as the caller promises.
+        unsafe { self.handle.write::<P>(at, value) }
     }
 
     /// A view that reads and writes a path where an index contains the loop's variables.

@@ -16,6 +16,7 @@ mod random;
 mod reductions;
 mod slices;
 mod stencils;
+mod unchecked;
 mod unrolled;
 
 use allotrope::prelude::*;

@@ -7,7 +7,7 @@ use syn::{FnArg, GenericArgument, Pat, PathArguments, Type};
 use crate::diagnostics::{Code, Diagnostics};
 use crate::kernel::model::{Kernel, Storage};
 use crate::kernel::parse::{is_marked, storage};
-use crate::kernel::syntax::{last_segment, type_arguments};
+use crate::kernel::syntax::{bare_type, last_segment, type_arguments};
 use crate::kernel::text::{text, type_text};
 
 pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
@@ -21,16 +21,18 @@ pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
 }
 
 fn options(kernel: &Kernel, diagnostics: &mut Diagnostics) {
-    if kernel.options.is_empty() {
+    if kernel.options.is_empty() || kernel.unchecked {
         return;
     }
     let word = kernel.options.clone().into_iter().next().map(|token| token.to_string()).unwrap_or_default();
-    if ["unchecked", "lanes", "grad", "finite"].contains(&word.as_str()) {
+    if ["lanes", "grad", "finite"].contains(&word.as_str()) {
         let message = format!("`#[kernel({word})]` is not available in this version");
         diagnostics.error(Code::KernelOption, &kernel.options, message).help("write `#[kernel]`");
     } else {
         let message = format!("`#[kernel]` has no option `{}`", text(&kernel.options));
-        diagnostics.error(Code::KernelOption, &kernel.options, message).help("write `#[kernel]` alone");
+        diagnostics
+            .error(Code::KernelOption, &kernel.options, message)
+            .help("write `#[kernel]`, or `#[kernel(unchecked)]` to leave index checks out");
     }
 }
 
@@ -53,8 +55,13 @@ fn qualifiers(kernel: &Kernel, diagnostics: &mut Diagnostics) {
         refuse("const", word, "its loops start threads, which cannot be done at compile time", "remove `const`");
     }
     if let Some(word) = &signature.unsafety {
-        let cure = "remove `unsafe`; write an `unsafe` block around what needs it";
-        refuse("unsafe", word, "every access is checked, so that callers have nothing to promise", cure);
+        let (why, cure) = if kernel.unchecked {
+            ("`unchecked` makes it an `unsafe fn`, and the body stays safe code", "remove `unsafe`")
+        } else {
+            let cure = "remove `unsafe`; write an `unsafe` block around what needs it, or `#[kernel(unchecked)]`";
+            ("every access is checked, so that callers have nothing to promise", cure)
+        };
+        refuse("unsafe", word, why, cure);
     }
     if let Some(word) = &signature.abi {
         let cure = "remove it, and call the kernel from an `extern` function";
@@ -65,7 +72,7 @@ fn qualifiers(kernel: &Kernel, diagnostics: &mut Diagnostics) {
 fn parameter(parameter: &syn::PatType, diagnostics: &mut Diagnostics) {
     Open { diagnostics }.visit_type(&parameter.ty);
     let marked = is_marked(parameter);
-    let (referring, inner) = match &*parameter.ty {
+    let (referring, inner) = match bare_type(&parameter.ty) {
         Type::Reference(reference) => (true, &*reference.elem),
         other => (false, other),
     };

@@ -40,7 +40,8 @@ impl Launch<'_> {
         let planned = &self.plan.views[number];
         let own = self.parallel.head.field() == Some(planned.field);
         let row = matches!(&planned.view, View::Row(offset) if offset.iter().all(|o| *o == 0));
-        (own && row && !self.plan.light).then(|| numbered("h", number))
+        let plain = !self.plan.overlapping.contains(&planned.field);
+        (own && row && plain && !self.plan.light).then(|| numbered("h", number))
     }
 
     /// The base and offset of an access, where a base is checked.
@@ -130,7 +131,7 @@ impl Launch<'_> {
     }
 
     /// The tag of a member.
-    fn tag(&self, field: usize, path: &[Ident]) -> TokenStream {
+    pub(super) fn tag(&self, field: usize, path: &[Ident]) -> TokenStream {
         let field = &self.kernel.fields[field];
         let (handle, whole) = (handle(field), names::path(field).to_token_stream());
         names::tag(field, &quote!(#handle.tags()), &whole, path)
@@ -197,7 +198,14 @@ impl Launch<'_> {
                 quote!(#space.fits(#handle, #low, #high))
             })
             .collect();
-        if checks.is_empty() { (quote!(true), true) } else { (quote!(#(#checks)&&*), false) }
+        if checks.is_empty() {
+            return (quote!(true), true);
+        }
+        if self.kernel.unchecked {
+            let unchecked = names::unchecked();
+            return (quote!(#unchecked.fits(|| #(#checks)&&*)), false);
+        }
+        (quote!(#(#checks)&&*), false)
     }
 
     /// Offsets as an array; none stand for zeros over an unknown number of axes.

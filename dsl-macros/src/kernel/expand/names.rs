@@ -32,6 +32,11 @@ pub(super) fn handle(field: &FieldParam) -> Ident {
     hidden(&format!("field_{}", plain(&field.name)))
 }
 
+/// The promise of an unchecked kernel's caller.
+pub(super) fn unchecked() -> Ident {
+    hidden("unchecked")
+}
+
 /// A name without `r#`.
 pub(super) fn plain(name: &Ident) -> String {
     let text = name.to_string();

@@ -9,7 +9,7 @@ use syn::{FnArg, GenericArgument, PathArguments, Signature, Type, parse_quote};
 use super::names::private;
 use crate::kernel::model::{FieldParam, Kernel, Storage};
 use crate::kernel::parse::is_marked;
-use crate::kernel::syntax::{last_segment, type_arguments};
+use crate::kernel::syntax::{bare_type, last_segment, type_arguments};
 
 /// Opens every `_` that stands for a field's layout, and every member's record.
 pub(crate) fn open_layouts(signature: &mut Signature) {
@@ -17,7 +17,7 @@ pub(crate) fn open_layouts(signature: &mut Signature) {
         if let FnArg::Typed(parameter) = input {
             let marked = is_marked(parameter);
             parameter.attrs.retain(|attribute| !attribute.path().is_ident("field"));
-            let (referring, changed) = match &*parameter.ty {
+            let (referring, changed) = match bare_type(&parameter.ty) {
                 Type::Reference(reference) => (true, reference.mutability.is_some()),
                 _ => (false, false),
             };
@@ -30,7 +30,7 @@ pub(crate) fn open_layouts(signature: &mut Signature) {
 pub(super) fn assert_slices(kernel: &Kernel) -> TokenStream {
     let private = private();
     let element = |field: &FieldParam| match &field.ty {
-        Type::Reference(reference) => match &*reference.elem {
+        Type::Reference(reference) => match bare_type(&reference.elem) {
             Type::Slice(slice) if field.storage == Storage::Slice => Some((*slice.elem).clone()),
             _ => None,
         },

@@ -1,5 +1,7 @@
 //! Functions and parameters.
 
+use proc_macro2::TokenStream;
+
 use super::codes;
 
 #[test]
@@ -84,9 +86,46 @@ fn marked_parameters_are_fields() {
 }
 
 #[test]
+fn unchecked_kernels_are_unsafe_and_their_bodies_are_not() {
+    let source = "fn k(u: &mut Field<f32, _>, at: &Field<u32, _>) { for i in u { u[i] = f(at[at[i]]); } }";
+    let text = super::super::expand("unchecked".parse().unwrap(), source.parse().unwrap()).to_string();
+    assert!(text.contains("# [forbid (unsafe_op_in_unsafe_fn)]") && text.contains("unsafe fn k"), "{text}");
+    assert_eq!(text.matches("unsafe {").count(), 1, "{text}");
+    assert!(text.contains("__unchecked . index"), "{text}");
+    let text = super::super::expand(TokenStream::new(), source.parse().unwrap()).to_string();
+    assert!(!text.contains("unsafe") && !text.contains("unchecked"), "{text}");
+}
+
+#[test]
+fn unchecked_accesses_are_not_judged() {
+    assert_eq!(
+        codes(
+            "fn k(u: &mut Field<R, _>, n: i32) { for i in u { unsafe { u.v.set_unchecked(i + n, u.v.get_unchecked(n)) } } }"
+        ),
+        [""; 0]
+    );
+    assert_eq!(codes("fn k(u: &mut Field<f32, _>) { unsafe { u.set_unchecked(0, u.get_unchecked(1)) } }"), [""; 0]);
+    assert_eq!(codes("fn k(u: &Field<f32, _>) { for i in u { unsafe { u.set_unchecked(i, 1.0) } } }"), ["A0207"]);
+    assert_eq!(
+        codes("fn k(u: &mut Field<f32, _>) { for i in u { unsafe { u.set_unchecked(i); u.get_unchecked(i, i); } } }"),
+        ["A0208", "A0208"]
+    );
+    assert_eq!(
+        codes("fn k(u: &mut Field<f32, _>) { for i in u { u[i] = unsafe { u.get_unchecked(i) } + u[i + 1]; } }"),
+        ["A0201"]
+    );
+    assert_eq!(
+        codes("fn k(u: &Field<f32, _>) { for i in u { let f = move || unsafe { u.get_unchecked(i) }; } }"),
+        ["A0223"]
+    );
+}
+
+#[test]
 fn options_are_refused() {
     let text = |options: &str| super::super::expand(options.parse().unwrap(), "fn k() {}".parse().unwrap()).to_string();
-    assert!(text("unchecked").contains("not available in this version [A0103]"));
+    assert!(text("lanes = 16").contains("not available in this version [A0103]"));
+    assert!(text("unchecked, fast").contains("no option `unchecked, fast` [A0103]"));
+    assert!(!text("unchecked").contains("compile_error"));
     assert!(text("fast").contains("no option `fast` [A0103]"));
     assert!(!text("").contains("compile_error"));
 }
