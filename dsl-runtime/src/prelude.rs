@@ -5,6 +5,7 @@ pub use crate::field::Field;
 pub use crate::launch::cpu::Cpu;
 pub use crate::layout::{AoSoA, Aos, Blocked, Layout, Morton, Soa, Split};
 pub use crate::random::random;
+pub use crate::real::Real;
 pub use crate::record::Record;
 pub use crate::schedule::{Scatter, Schedule};
 pub use allotrope_macros::{Record, kernel, layout};

@@ -145,6 +145,9 @@ struct Base {
 /// The pairs of a field and a base in an unrolled body.
 fn bases(launch: &Launch<'_>, repeat: &Unroll) -> Vec<Base> {
     let mut found: Vec<Base> = Vec::new();
+    if launch.kernel.unchecked {
+        return found;
+    }
     for &node in &repeat.accesses {
         let access = launch.kernel.access(node);
         let view = &launch.plan.views[launch.plan.view_of[&node]].view;

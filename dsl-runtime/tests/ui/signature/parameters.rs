@@ -13,7 +13,12 @@ fn any_record(u: &Field<_, _>) {}
 #[kernel]
 fn any_axes(u: &Field<f32, _, _>) {}
 
+type Heat<L> = Field<f32, L, Ij>;
+
 #[kernel]
-fn member(u: &Member<f32, _, Ij>) {}
+fn marked_by_value(#[field] u: Heat<Aos>) {}
+
+#[kernel]
+fn open_alias(#[field] u: &Heat<_>) {}
 
 fn main() {}
