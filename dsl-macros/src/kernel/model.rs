@@ -472,8 +472,12 @@ pub(crate) enum What {
 pub(crate) enum Upon {
     /// A range: `(0..n).rev()`.
     Range,
+    /// A part of a field, with other arguments than it takes or in another order: `u.interior()`.
+    Part,
     /// A field: `&u`, `u.iter()`.
     Field(String),
+    /// A name that is no field's.
+    Name,
     /// Something else.
     Other,
 }
