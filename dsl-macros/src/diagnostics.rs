@@ -6,7 +6,7 @@
 use std::fmt;
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
-use quote::ToTokens;
+use quote::{ToTokens, quote};
 
 /// Declares the one list of all codes. A new diagnostic is one line here.
 macro_rules! codes {
@@ -89,8 +89,6 @@ codes! {
     InteriorOffset = A0209,
     /// The value of an accumulation, which has none.
     AccumulateValue = A0210,
-    /// An accumulation into one component at an index that is not the iteration's own.
-    AccumulateComponent = A0211,
     /// A compound assignment that is no accumulation, at an index that is not the iteration's own.
     OperatorScatter = A0212,
     /// A field or a member bound to a variable, or a member without an index.
@@ -107,20 +105,18 @@ codes! {
     ReductionOperators = A0218,
     /// A variable from outside a parallel loop that the loop assigns.
     OuterAssigned = A0219,
-    /// A reduction into a part of a variable.
+    /// A reduction into a part of a variable beside one into more of it.
     ReductionPart = A0220,
     /// Elements as targets of a destructuring assignment.
     Destructuring = A0221,
-    /// A function of the language that is not available yet.
-    UnavailableFunction = A0222,
     /// A `move` closure that accesses fields inside a parallel loop.
     MoveClosure = A0223,
     /// An enum or a union as a record.
     NotAStruct = A0301,
     /// A record whose members have no names.
     UnnamedMembers = A0302,
-    /// A record with generic parameters.
-    GenericRecord = A0303,
+    /// A record with a lifetime.
+    BorrowingRecord = A0303,
     /// A record without members, or with too many.
     MemberCount = A0304,
     /// A word in a layout that is neither node nor place.
@@ -163,6 +159,14 @@ codes! {
     TooManyNodes = A0419,
     /// `pad` that is not right before the place, or not by a power of two.
     WrongPad = A0420,
+    /// `%` of a number below zero.
+    NegativeRemainder = A0501,
+    /// `unroll!` that writes a body out very often.
+    LargeUnroll = A0502,
+    /// A field taken by `&mut` that is only read.
+    OnlyRead = A0503,
+    /// Two calls of `random` with the same arguments in one loop.
+    EqualRandom = A0504,
 }
 
 impl fmt::Display for Code {
@@ -171,7 +175,7 @@ impl fmt::Display for Code {
     }
 }
 
-/// One error: where, what, and what to write instead.
+/// One error or warning: where, what, and what to write instead.
 #[derive(Debug)]
 pub(crate) struct Diagnostic {
     code: Code,
@@ -203,6 +207,23 @@ impl Diagnostic {
         text
     }
 
+    /// A statement that rustc warns of, in these words.
+    fn into_warning(self) -> TokenStream {
+        let text = self.text();
+        // rustc underlines the last name of a path, which has one span: that of the first token, which may be a group.
+        let at = self.at.into_iter().next().map_or_else(Span::call_site, |token| token.span());
+        let constant = Ident::new(self.code.text(), Span::mixed_site());
+        let used = Ident::new(self.code.text(), at.resolved_at(Span::mixed_site()));
+        let module = Ident::new("warning", Span::mixed_site());
+        quote! {{
+            mod #module {
+                #[deprecated(note = #text)]
+                pub(super) const #constant: () = ();
+            }
+            let () = #module::#used;
+        }}
+    }
+
     /// The code.
     #[cfg(test)]
     pub(crate) fn code(&self) -> Code {
@@ -228,10 +249,11 @@ impl Place for Span {
     }
 }
 
-/// Collects the errors of one macro call.
+/// Collects the errors and warnings of one macro call.
 #[derive(Debug, Default)]
 pub(crate) struct Diagnostics {
     errors: Vec<Diagnostic>,
+    warnings: Vec<Diagnostic>,
     syntax: TokenStream,
 }
 
@@ -243,12 +265,19 @@ impl Diagnostics {
         &mut self.errors[place]
     }
 
+    /// Warns of what compiles and is likely to be a mistake.
+    pub(crate) fn warn(&mut self, code: Code, at: impl Place, message: impl Into<String>) -> &mut Diagnostic {
+        let place = self.warnings.len();
+        self.warnings.push(Diagnostic { code, at: at.tokens(), message: message.into(), lines: Vec::new() });
+        &mut self.warnings[place]
+    }
+
     /// Reports what is no Rust at all, in syn's words.
     pub(crate) fn syntax(&mut self, error: syn::Error) {
         self.syntax.extend(error.into_compile_error());
     }
 
-    /// Whether nothing was reported.
+    /// Whether there is no error.
     pub(crate) fn is_empty(&self) -> bool {
         self.errors.is_empty() && self.syntax.is_empty()
     }
@@ -257,6 +286,17 @@ impl Diagnostics {
     #[cfg(test)]
     pub(crate) fn errors(&self) -> &[Diagnostic] {
         &self.errors
+    }
+
+    /// The warnings so far, in the order of their reports.
+    #[cfg(test)]
+    pub(crate) fn warnings(&self) -> &[Diagnostic] {
+        &self.warnings
+    }
+
+    /// A use of something deprecated for each warning, as statements: the only warnings that stable Rust lets a macro make.
+    pub(crate) fn into_warnings(self) -> TokenStream {
+        self.warnings.into_iter().map(Diagnostic::into_warning).collect()
     }
 
     /// One `compile_error!` for each error, as items.

@@ -1,4 +1,4 @@
-//! Tests of the reference's pages of error codes, `errors/A0xxx.md`: each code has one, and its examples show that code.
+//! Tests of the reference's pages of error codes, `dsl-runtime/errors/A0xxx.md`: each code has one, and its examples show that code.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -13,7 +13,7 @@ use crate::diagnostics::Code;
 use crate::{kernel, layout, record};
 
 fn folder() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("errors")
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../dsl-runtime/errors")
 }
 
 fn page(code: Code) -> String {

@@ -102,7 +102,8 @@
 //!
 //! Parameters are fields (`&Field<R, _, X>`, `&mut Field<R, _, X>`; `_` stands for any layout, a named layout pins it) and any other Rust
 //! values. Each outermost `for` of the body is one parallel launch, run to its end before the next statement; all else at the top level
-//! is ordinary serial Rust. A kernel is a plain function: it may be a method, be generic and return a value.
+//! is ordinary serial Rust. A kernel is a plain function: it may be a method, be generic and return a value. [`Spatial`] and [`Real`] serve kernels for plane and
+//! space, single and double precision.
 //!
 //! | loop head | runs over |
 //! | --- | --- |
@@ -113,6 +114,7 @@
 //! | `for (i, j) in grid.interior(1).checkerboard(c)` | heads combine: a colour of an interior or of a border |
 //! | `for i in 0..n`, `for (i, j) in ndrange!(0..n, 0..m)` | a range, without a field |
 //! | `for (a, b) in unroll!(0..3, 0..3)` | inner loops only: constants, unrolled at compile time |
+//! | `for offset in unroll!(X, 0..3)` | the same over all axes of the type parameter `X`, see [`Spatial`] |
 //! | `#[serial] for ..` | any iterator, on one thread, with any access |
 //! | `#[ordered] for t in 0..n` | any iterator, turn after turn; its body is top level: the loops in it are launches |
 //!
@@ -126,8 +128,12 @@
 //! | `u.wrapped((i - 1, j))` | the element at the index modulo the extents: the field is periodic |
 //! | `u.or((i - 1, j), value)` | `value` |
 //!
-//! A variable of the top level that a parallel loop only accumulates into is a reduction. Reductions have a fixed order, and so they
-//! give the same bits for any number of threads and any instruction set.
+//! A variable of the top level that a parallel loop only accumulates into is a reduction: a number, vector, matrix or array, also
+//! by components and entries, `centre.x += x`, `bins[k] += 1`. Each entry of a tuple is a reduction of its own, so that `range.0.min_assign(x)`
+//! stands beside `range.1.max_assign(x)`. Reductions have a fixed order, and so they give the same bits for any number of
+//! threads and any instruction set.
+//!
+//! [`random::<f32>(seed, key)`](random) is a function of its arguments alone, so that it gives the same numbers for any number of threads.
 //!
 //! # What a loop may do to a field
 //!
@@ -178,8 +184,8 @@
 //! # Not available yet
 //!
 //! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`); indices below zero (`with_origin`); nested records and enums; reads of the other
-//! colour beside writes under `checkerboard`; single members as parameters; `#[relaxed]` and atomics that return the old value;
-//! random numbers. Where one of these words is used, the error says so.
+//! colour beside writes under `checkerboard`; single members as parameters; `#[relaxed]` and atomics that return the old value.
+//! Where one of these words is used, the error says so.
 
 // Expansions name this crate from outside; inside (tests, examples in docs) it is the same name.
 extern crate self as allotrope;
@@ -193,10 +199,12 @@ mod index;
 mod launch;
 pub mod layout;
 mod number;
+mod random;
 mod record;
 mod scatter;
 mod schedule;
 mod serial;
+mod spatial;
 mod view;
 
 #[doc(hidden)]
@@ -214,8 +222,10 @@ pub use field::{
 pub use index::{Integer, IntoIndex};
 pub use launch::cpu::Cpu;
 pub use layout::Layout;
+pub use random::{Random, RandomKey, random};
 pub use record::{MAX_MEMBERS, Record};
 pub use schedule::{MAX_THREADS, Scatter, Schedule};
+pub use spatial::{IndexVector, Matrix, Real, Spatial, Vector};
 
 /// The examples of the README, compiled and run as documentation tests.
 #[cfg(doctest)]

@@ -197,6 +197,18 @@ operators! {
     BitXor: Bits, ZERO, one, "`^=`.";
 }
 
+/// An operator that leaves alone what the identity is applied to: `min` would take the highest number for NaN.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Kept<O>(O);
+impl<O: Sealed> Sealed for Kept<O> {}
+impl<S: Scalar + PartialEq, O: Operator<S>> Operator<S> for Kept<O> {
+    const IDENTITY: S = O::IDENTITY;
+    #[inline(always)]
+    fn apply(a: S, b: S) -> S {
+        if b == O::IDENTITY { a } else { O::apply(a, b) }
+    }
+}
+
 /// The element whose components are the operator's identity.
 #[inline(always)]
 pub(crate) fn identity<O: Operator<E::Scalar>, E: Element>() -> E {

@@ -9,7 +9,8 @@ pub use crate::number::{BitAnd, BitOr, BitXor, ComponentMul, Max, Min, Product, 
 pub use crate::record::{At, ElementList, MemberMuts, MemberRefs, MemberSpec, Path, Tag, Whole};
 pub use crate::scatter::{Op, Scattered, Target};
 pub use crate::view::{
-    Accumulate, Based, Buffer, Free, Held, Own, OwnFree, Read, Row, Site, Var, View, buffer, exclusive, shared,
+    Accumulate, Based, Buffer, Free, Held, Own, OwnFree, Read, Row, Site, Var, View, buffer, exclusive, negative,
+    shared,
 };
 
 pub use crate::capture::{Hold, Lend, Wrap, assert_shared};

@@ -35,10 +35,10 @@ impl Access {
         matches!(self.place, Place::Own | Place::Places(_))
     }
 
-    /// Whether it could be an accumulation: a compound assignment of a whole member, of a group.
+    /// Whether it could be an accumulation: a compound assignment of a member or a component, of a group.
     fn accumulates(&self) -> Option<Group> {
         match &self.action {
-            Action::Update { part, op, .. } if part.is_empty() => op.group(),
+            Action::Update { op, .. } => op.group(),
             _ => None,
         }
     }
@@ -89,8 +89,6 @@ pub(crate) enum Why {
     Scatter,
     /// The same with an operator that is no accumulation.
     OperatorScatter,
-    /// The same into a component.
-    ComponentScatter,
     /// A read at another index beside a write at the own.
     Stencil,
     /// A read beside an accumulation.
@@ -126,7 +124,7 @@ pub(crate) fn clashes(kernel: &Kernel, number: usize) -> Vec<Clash> {
     found.retain(|clash| {
         let access = kernel.access(clash.access);
         let key = (access.field, access.path.as_slice(), clash.why);
-        let distinct = matches!(clash.why, Why::Scatter | Why::OperatorScatter | Why::ComponentScatter);
+        let distinct = matches!(clash.why, Why::Scatter | Why::OperatorScatter);
         let new = distinct || !seen.contains(&key);
         seen.push(key);
         new
@@ -143,7 +141,6 @@ fn alone(access: &Access) -> Option<Why> {
         Action::Read => None,
         Action::Write { .. } => Some(Why::Scatter),
         Action::Update { op, .. } if op.group().is_none() => Some(Why::OperatorScatter),
-        Action::Update { part, .. } if !part.is_empty() => Some(Why::ComponentScatter),
         Action::Update { .. } => None,
     }
 }

@@ -45,7 +45,7 @@ pub(crate) fn expand(options: TokenStream, item: TokenStream) -> TokenStream {
         let errors = diagnostics.into_compile_errors();
         return quote!(#errors #function);
     }
-    let expansion = expand::expand(&kernel);
+    let expansion = expand::expand(&kernel, diagnostics.into_warnings());
     if std::env::var(SHOW).is_ok_and(|name| kernel.function.sig.ident == name) {
         eprintln!("{expansion}");
     }

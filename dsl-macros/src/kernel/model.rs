@@ -33,6 +33,20 @@ pub(crate) struct Kernel {
     pub(crate) mutable: BTreeSet<String>,
     /// What the rules must judge and the tree cannot show.
     pub(crate) findings: Vec<Finding>,
+    /// Fields that are used as a whole at the top level: what happens to them there is not known.
+    pub(crate) handed_on: BTreeSet<usize>,
+    /// What may be a mistake, though it compiles.
+    pub(crate) suspicions: Vec<Suspicion>,
+}
+
+/// What may be a mistake, though it compiles.
+pub(crate) enum Suspicion {
+    /// `left % right`, whose left side may be below zero.
+    Remainder { left: Spot, whole: Spot },
+    /// `unroll!` with so many bodies in all, and so many of what is unrolled around it.
+    Unrolled { around: u64, bodies: u64, at: Spot },
+    /// `random(seed, key)` in a parallel loop.
+    Random { parallel: usize, arguments: Spot, call: Spot },
 }
 
 /// A parameter that is a field.
@@ -312,6 +326,10 @@ pub(crate) enum Sieve {
 /// A variable of the top level that a loop accumulates into.
 pub(crate) struct Reduction {
     pub(crate) name: Ident,
+    /// The part of a tuple that stands for itself, `t.0`: parts of a tuple may have different operators.
+    pub(crate) place: Vec<Member>,
+    /// Whether a component or an entry is accumulated into: then jobs keep a whole value, instead of lanes.
+    pub(crate) by_parts: bool,
     pub(crate) group: Group,
     /// The first operator, for messages.
     pub(crate) first: (Op, Spot),
@@ -348,6 +366,8 @@ pub(crate) struct Unroll {
     pub(crate) variables: Vec<Option<Ident>>,
     /// One half-open range for each variable.
     pub(crate) ranges: Vec<(i32, i32)>,
+    /// The type over all of whose axes the one range runs: `unroll!(X, 0..3)`.
+    pub(crate) axes: Option<syn::Path>,
     pub(crate) body: Block,
     pub(crate) breaks: bool,
     pub(crate) continues: bool,
@@ -381,9 +401,12 @@ pub(crate) struct FieldCall {
     pub(crate) method: Ident,
 }
 
-/// `variable op= value`.
+/// `variable op= value`, or to a part of the variable.
 pub(crate) struct Reduce {
     pub(crate) variable: Ident,
+    /// The reduction, by its place in [`Loop::reductions`].
+    pub(crate) reduction: usize,
+    pub(crate) part: Vec<Projection>,
     pub(crate) op: Op,
     pub(crate) value: Expr,
 }
@@ -432,8 +455,8 @@ pub(crate) enum What {
     UnrollBound,
     /// `unroll!` whose pattern does not fit its ranges.
     UnrollPattern { ranges: usize },
-    /// `unroll!(X, 0..3)`.
-    UnrollAxes,
+    /// `break` and its like out of `unroll!(X, 0..3)`.
+    UnrollEscape { how: &'static str },
     /// Arguments that are no ranges.
     HeadArguments { name: String },
     /// `unroll!` or `ndrange!` elsewhere than in a head.
@@ -460,10 +483,10 @@ pub(crate) enum What {
     OuterAssigned { name: String, how: Assigned },
     /// A reduction read in its loop.
     ReductionRead { name: String },
+    /// A tuple accumulated into as a whole and by parts.
+    ReductionParts { name: String, line: usize },
     /// A reduction with two groups.
     ReductionGroups { name: String, op: Op, first: Op, line: usize },
-    /// `random(seed, key)`.
-    Random,
     /// A `move` closure that holds an access.
     MoveClosure,
 }
@@ -489,15 +512,19 @@ pub(crate) enum Assigned {
     Plain,
     /// `x /= ..` and its like.
     Operator(Op),
-    /// `x.y += ..`.
-    Component,
-    /// `x[k] += ..`.
-    Entry,
     /// Through a reference.
     Reference,
 }
 
 impl Kernel {
+    /// All accesses.
+    pub(crate) fn accesses(&self) -> impl Iterator<Item = &Access> {
+        self.nodes.iter().filter_map(|node| match node {
+            Node::Access(access) => Some(&**access),
+            _ => None,
+        })
+    }
+
     /// The access behind a node.
     pub(crate) fn access(&self, node: usize) -> &Access {
         match &self.nodes[node] {

@@ -6,7 +6,7 @@ use core::mem::MaybeUninit;
 use super::run::Cell;
 use super::{Run, Space};
 use crate::element::Element;
-use crate::number::{Number, Operator, Sum, identity, zip};
+use crate::number::{ComponentMul, Number, Operator, Product, Sum, identity, zip};
 use crate::view::negative;
 
 /// The longest strip of a run whose contributions are buffered.
@@ -47,6 +47,15 @@ impl<O: Operator<T::Scalar>, T: Element> Reduction<O, T> {
         *to = zip::<O, T>(*to, value);
     }
 
+    /// Adds a contribution to a component or an entry of a block's result.
+    #[inline(always)]
+    pub fn apply_part<P: Element>(self, to: &mut P, value: P)
+    where
+        O: Operator<P::Scalar>,
+    {
+        *to = zip::<O, P>(*to, value);
+    }
+
     /// The partial result of a block.
     #[inline(always)]
     pub fn partial(self) -> Partial<O, T> {
@@ -74,6 +83,32 @@ where
     #[inline(always)]
     pub fn subtract(self, to: &mut T, value: T) {
         self.apply(to, negative(value));
+    }
+
+    /// Subtracts a contribution from a component or an entry of a block's result.
+    #[inline(always)]
+    pub fn subtract_part<P: Element<Scalar: Number>>(self, to: &mut P, value: P) {
+        *to = zip::<Sum, P>(*to, negative(value));
+    }
+}
+
+impl<T: Element> Reduction<Product, T>
+where
+    T::Scalar: Number,
+{
+    /// Multiplies an element's own contribution.
+    #[inline(always)]
+    pub fn multiply<Rhs>(self, to: &mut T, by: Rhs)
+    where
+        T: ComponentMul<Rhs>,
+    {
+        self.apply(to, T::factor(by));
+    }
+
+    /// Multiplies a component or an entry of a block's result.
+    #[inline(always)]
+    pub fn multiply_part<P: ComponentMul<Rhs, Scalar: Number>, Rhs>(self, to: &mut P, by: Rhs) {
+        *to = zip::<Product, P>(*to, P::factor(by));
     }
 }
 

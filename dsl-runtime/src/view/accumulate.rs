@@ -10,7 +10,7 @@ use crate::element::{Element, component};
 use crate::field::Handle;
 use crate::index::IntoIndex;
 use crate::layout::Layout;
-use crate::number::{BitAnd, BitOr, BitXor, Bits, ComponentMul, Max, Min, Number, Operator, Product, Sum};
+use crate::number::{BitAnd, BitOr, BitXor, Bits, ComponentMul, Kept, Max, Min, Number, Operator, Product, Sum};
 use crate::record::{Path, Record};
 
 /// Accumulates into a path of a field at any index. No update is lost: the memory is this job's own, or every component
@@ -117,6 +117,43 @@ where
         }
     }
 
+    /// What changes nothing: an accumulation into a component fills the others with it.
+    #[inline(always)]
+    pub fn identity<O: Operator<<P::Value as Element>::Scalar>>(&self, _: O) -> P::Value {
+        crate::number::identity::<O, P::Value>()
+    }
+
+    /// Accumulates into those components of an element that are not [`identity`](Self::identity).
+    ///
+    /// # Panics
+    /// Where the index lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub fn part<O: Operator<<P::Value as Element>::Scalar>>(&self, _: O, index: impl IntoIndex<X>, value: P::Value)
+    where
+        <P::Value as Element>::Scalar: Number,
+    {
+        self.apply::<Kept<O>>(self.locate(index), value);
+    }
+
+    /// The same at `base + offset`.
+    ///
+    /// # Panics
+    /// Where the sum lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub fn part_at<O: Operator<<P::Value as Element>::Scalar>>(
+        &self,
+        _: O,
+        base: &Based<X>,
+        offset: impl IntoIndex<X>,
+        value: P::Value,
+    ) where
+        <P::Value as Element>::Scalar: Number,
+    {
+        self.apply::<Kept<O>>(self.locate_at(base, offset), value);
+    }
+
     operations! {
         add add_at Sum, Number, "`+=`.";
         min min_at Min, Number, "`min_assign`.";
@@ -182,8 +219,9 @@ where
 }
 
 /// `-value`, exactly: `a - b` and `a + -b` are the same bits.
+#[doc(hidden)]
 #[inline(always)]
-pub(crate) fn negative<E: Element>(value: E) -> E
+pub fn negative<E: Element>(value: E) -> E
 where
     E::Scalar: Number,
 {

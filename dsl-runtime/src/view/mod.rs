@@ -10,7 +10,7 @@ mod row;
 use core::fmt;
 
 pub use accumulate::Accumulate;
-pub(crate) use accumulate::negative;
+pub use accumulate::negative;
 pub use base::Based;
 pub use free::{Free, Var};
 pub use read::Read;
@@ -132,6 +132,12 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
         let mut by = [0; MAX_AXES];
         by[..N].copy_from_slice(&offset);
         Row::new(self.handle, self.site, run, by)
+    }
+
+    /// As [`based`](Self::based), with the same offsets along all axes.
+    #[inline(always)]
+    pub fn based_all(self, base: impl crate::index::IntoIndex<X>, low: i64, high: i64) -> Option<Based<X>> {
+        Based::around(&self.handle.geometry, base.coordinates(), [low; MAX_AXES], [high; MAX_AXES])
     }
 
     /// The field around `base`, if all of `base + low` to `base + high` lies within it.

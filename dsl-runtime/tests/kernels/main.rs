@@ -5,11 +5,15 @@ mod axes;
 mod boundaries;
 mod captures;
 mod heads;
+mod large;
 mod loops;
 mod mpm;
 mod order;
 mod panics;
+mod parts;
+mod random;
 mod reductions;
+mod spatial;
 mod stencils;
 mod unrolled;
 

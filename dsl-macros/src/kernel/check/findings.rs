@@ -99,15 +99,6 @@ fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
                     "bind the values first, and assign each element by itself: `let (a, b) = ..; u[i] = a; v[i] = b;`",
                 );
         }
-        What::Random => {
-            diagnostics
-                .error(
-                    Code::UnavailableFunction,
-                    at,
-                    "`random` is a word of the language that is not available in this version",
-                )
-                .help("call a function of your own under another name, or by its path: `self::random(..)`");
-        }
         What::MoveClosure => {
             diagnostics
                 .error(Code::MoveClosure, at, "a `move` closure inside a parallel loop cannot access fields")

@@ -79,10 +79,11 @@ pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
                 .error(Code::UnrollForm, at, format!("`unroll!` goes over {count}, which `{text}` does not fit"))
                 .help(format!("write {cure}"));
         }
-        What::UnrollAxes => {
+        What::UnrollEscape { how } => {
             diagnostics
-                .error(Code::UnrollForm, at, "`unroll!` over all axes of a type is not available in this version")
-                .help("write one range for each axis: `unroll!(0..3, 0..3)`");
+                .error(Code::UnrollForm, at, format!("`{how}` cannot leave a loop over `unroll!(X, ..)`"))
+                .note("how many axes there are is not known before the kernel is used, so that the body stands in a closure")
+                .help("`continue` goes on to the next index; keep a flag to skip the rest, or name the axes: `unroll!(0..3, 0..3)`");
         }
         What::HeadArguments { name } => {
             let counts = !text.is_empty() && !text.contains(['.', '(', '[', '{']);

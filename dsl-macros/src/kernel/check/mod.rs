@@ -2,6 +2,7 @@
 
 mod findings;
 mod indices;
+mod lints;
 mod loops;
 mod names;
 mod races;
@@ -18,4 +19,5 @@ pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
     names::check(kernel, diagnostics);
     indices::check(kernel, diagnostics);
     races::check(kernel, diagnostics);
+    lints::check(kernel, diagnostics);
 }

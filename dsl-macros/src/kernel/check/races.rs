@@ -73,17 +73,6 @@ fn report(kernel: &Kernel, found: &Loop, clash: &Clash, diagnostics: &mut Diagno
     match clash.why {
         Why::Scatter => scatter(found, access, diagnostics),
         Why::OperatorScatter => operator(access, diagnostics),
-        Why::ComponentScatter => {
-            diagnostics
-                .error(
-                    Code::AccumulateComponent,
-                    &access.spot.tokens,
-                    "accumulating into one component is only available at the iteration's own index in this version",
-                )
-                .help(format!(
-                    "accumulate into all of `{target}`, with zero for the other components: `{target} += vec2(x, 0.0)`"
-                ));
-        }
         Why::Stencil => {
             diagnostics
                 .error(Code::InPlaceStencil, &access.spot.tokens, format!("`{target}` is read in a parallel loop that writes `{}`", name(kernel, other)))

@@ -25,22 +25,6 @@ pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
                     .note("its result depends on the order of the iterations")
                     .help("use one of `+=`, `-=`, `*=`, `min_assign`, `max_assign`, `&=`, `|=`, `^=`");
             }
-            Assigned::Component => {
-                diagnostics
-                    .error(Code::ReductionPart, at, format!("`{text}` accumulates into a component of `{name}`"))
-                    .note("reductions into components are not available in this version")
-                    .help(format!(
-                        "accumulate into all of it, `{name} += vec2(x, 0.0)`, or into a variable for each component"
-                    ));
-            }
-            Assigned::Entry => {
-                diagnostics
-                    .error(Code::ReductionPart, at, format!("`{text}` accumulates into an entry of `{name}`"))
-                    .note("reductions into arrays are not available in this version")
-                    .help(format!(
-                        "accumulate into a field, which any index may be added to: `{name}: &mut Field<u32, _>`"
-                    ));
-            }
             Assigned::Reference => {
                 diagnostics
                     .error(
@@ -57,6 +41,18 @@ pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
                 .error(Code::ReductionRead, at, format!("`{name}` is read in the loop that accumulates into it"))
                 .note("there is only a part of the result, and which part depends on the threads")
                 .help(format!("read `{name}` after the loop; within it, keep what you need in a variable of its own"));
+        }
+        What::ReductionParts { name, line } => {
+            diagnostics
+                .error(
+                    Code::ReductionPart,
+                    at,
+                    format!("`{text}` accumulates into more or less of a tuple than another accumulation of the loop"),
+                )
+                .note(format!(
+                    "the other one into `{name}` stands in line {line}; each entry of a tuple is a reduction of its own"
+                ))
+                .help("accumulate into entries alone, or into the whole alone");
         }
         What::ReductionGroups { name, op, first, line } => {
             let (op, first) = (op.text(), first.text());

@@ -17,15 +17,15 @@ use syn::{FnArg, ItemFn, Pat, parse_quote};
 use self::rewrite::{Rewrite, Scope};
 use super::model::Kernel;
 
-/// The function that a kernel without errors stands for.
-pub(super) fn expand(kernel: &Kernel) -> TokenStream {
+/// The function that a kernel without errors stands for. `first` are statements that come first.
+pub(super) fn expand(kernel: &Kernel, first: TokenStream) -> TokenStream {
     let mut function = kernel.function.clone();
     signature::open_layouts(&mut function.sig);
     let rewrite = Rewrite { kernel, scope: Scope::Host };
-    let body = rewrite.block(&kernel.function.block);
+    let body = rewrite.statements(&kernel.function.block);
     let ItemFn { attrs, vis, sig, .. } = function;
     // Expanded accesses stand at the user's tokens, so that lints could take their parentheses for the user's.
-    quote!(#(#attrs)* #[allow(unused_parens, clippy::deref_addrof)] #vis #sig #body)
+    quote!(#(#attrs)* #[allow(unused_parens, clippy::deref_addrof)] #vis #sig { #first #body })
 }
 
 /// A function of the same type that does nothing, for a kernel with errors: so that its callers have none.

@@ -32,44 +32,54 @@ pub(super) struct Pieces {
 pub(super) fn pieces(parallel: &Loop) -> Pieces {
     let private = private();
     let count = parallel.reductions.len();
+    let by_parts = |number: usize| parallel.reductions[number].by_parts;
     let local = |name: &'static str| move |number: usize| numbered(name, number);
     let (r, t, p, s, e) = (local("r"), local("t"), local("p"), local("s"), local("e"));
     let each = |piece: &dyn Fn(usize) -> TokenStream| -> TokenStream { (0..count).map(piece).collect() };
-    let partials: Vec<_> = (0..count).map(p).collect();
+    // What concerns the lanes and the buffer of a strip.
+    let in_lanes = |piece: &dyn Fn(usize) -> TokenStream| -> TokenStream {
+        (0..count).filter(|n| !by_parts(*n)).map(piece).collect()
+    };
+    let partial = |n| {
+        let p = p(n);
+        if by_parts(n) { quote!(#p) } else { quote!(#p.total()) }
+    };
+    let partials: Vec<_> = (0..count).map(partial).collect();
     let (cell, run, out) = (super::names::hidden("cell"), super::names::hidden("run"), super::names::hidden("out"));
     Pieces {
         before: each(&|n| {
             let reduction = &parallel.reductions[n];
-            let (name, kind) = (&reduction.name, kind(reduction.group));
+            let (name, place, kind) = (&reduction.name, &reduction.place, kind(reduction.group));
             let at = |local: Ident| Ident::new(&local.to_string(), local.span().located_at(name.span()));
             let (r, t) = (at(r(n)), at(t(n)));
             quote_spanned! {name.span()=>
-                let #r = &mut #name;
+                let #r = &mut #name #(.#place)*;
                 let #t = #private::reduction(#private::#kind, &*#r);
             }
         }),
         partials: each(&|n| {
             let (p, t) = (p(n), t(n));
-            quote!(let mut #p = #t.partial();)
+            let start = if by_parts(n) { quote!(identity) } else { quote!(partial) };
+            quote!(let mut #p = #t.#start();)
         }),
         result: match partials.as_slice() {
             [] => quote!(),
-            [one] => quote!(#one.total()),
-            several => quote!((#(#several.total()),*)),
+            [one] => quote!(#one),
+            several => quote!((#(#several),*)),
         },
-        strips: each(&|n| {
+        strips: in_lanes(&|n| {
             let (s, t) = (s(n), t(n));
             quote!(let mut #s = #t.strip();)
         }),
-        identities: each(&|n| {
+        identities: in_lanes(&|n| {
             let (e, t) = (e(n), t(n));
             quote!(let mut #e = #t.identity();)
         }),
-        puts: each(&|n| {
+        puts: in_lanes(&|n| {
             let (s, e) = (s(n), e(n));
             quote!(#s.put(&#cell, #e);)
         }),
-        absorbs: each(&|n| {
+        absorbs: in_lanes(&|n| {
             let (p, s) = (p(n), s(n));
             quote!(#p.absorb(&#s, &#run);)
         }),
@@ -86,7 +96,8 @@ pub(super) fn pieces(parallel: &Loop) -> Pieces {
     }
 }
 
-fn kind(group: Group) -> TokenStream {
+/// The operator's type.
+pub(super) fn kind(group: Group) -> TokenStream {
     match group {
         Group::Sum => quote!(Sum),
         Group::Product => quote!(Product),
@@ -98,12 +109,23 @@ fn kind(group: Group) -> TokenStream {
     }
 }
 
-/// `variable op= value` in the loop's body.
+/// `variable op= value` in the loop's body, or to a part of the variable.
 pub(super) fn apply(rewrite: &Rewrite<'_>, launch: &Launch<'_>, reduce: &Reduce) -> TokenStream {
-    let number = launch.parallel.reductions.iter().position(|reduction| reduction.name == reduce.variable);
-    let number = number.unwrap_or_default();
-    let at = |local: Ident| Ident::new(&local.to_string(), local.span().located_at(reduce.variable.span()));
-    let (t, e, value) = (at(numbered("t", number)), numbered("e", number), rewrite.expr(&reduce.value));
-    let method = if reduce.op == Op::Sub { quote!(subtract) } else { quote!(apply) };
-    quote_spanned!(reduce.variable.span()=> #t.#method(&mut #e, #value))
+    let (number, span) = (reduce.reduction, reduce.variable.span());
+    let at = |local: Ident| Ident::new(&local.to_string(), local.span().located_at(span));
+    let by_parts = launch.parallel.reductions[number].by_parts;
+    let to = numbered(if by_parts { "p" } else { "e" }, number);
+    let (t, value) = (at(numbered("t", number)), rewrite.expr(&reduce.value));
+    let method = match reduce.op {
+        Op::Sub => quote!(subtract),
+        Op::Mul => quote!(multiply),
+        _ => quote!(apply),
+    };
+    if reduce.part.is_empty() {
+        return quote_spanned!(span=> #t.#method(&mut #to, #value));
+    }
+    let method = Ident::new(&format!("{method}_part"), span);
+    let (part, new) = (rewrite.part(&reduce.part), super::names::hidden("new"));
+    // As in Rust, the value comes first.
+    quote_spanned!(span=> { let #new = #value; #t.#method(&mut #to #part, #new) })
 }

@@ -9,7 +9,7 @@ use syn::{Block, Expr, Pat, Stmt, Type};
 use super::launch::Launch;
 use super::names::{Ends, label, private};
 use super::{host, launch, unroll, views};
-use crate::kernel::model::{Head, Indices, Jump, Kernel, MacroArguments, MacroCall, Node, Sieve, node_of};
+use crate::kernel::model::{Head, Indices, Jump, Kernel, MacroArguments, MacroCall, Node, Projection, Sieve, node_of};
 use crate::kernel::syntax::name_of;
 
 /// Where an expression stands.
@@ -46,6 +46,18 @@ impl Rewrite<'_> {
         let mut expr = expr.clone();
         Visitor(*self).visit_expr_mut(&mut expr);
         expr.into_token_stream()
+    }
+
+    /// The steps from a value to a part of it.
+    pub(super) fn part(&self, part: &[Projection]) -> TokenStream {
+        let steps = part.iter().map(|step| match step {
+            Projection::Member(member) => quote!(.#member),
+            Projection::Index(index) => {
+                let index = self.expr(index);
+                quote!([#index])
+            }
+        });
+        steps.collect()
     }
 
     fn node(&self, node: usize) -> TokenStream {

@@ -5,9 +5,10 @@ use quote::{quote, quote_spanned};
 
 use super::launch::Launch;
 use super::names::{Ends, hidden, private, span};
+use super::reductions::kind;
 use super::rewrite::Rewrite;
 use crate::kernel::access::View;
-use crate::kernel::model::{Access, Action, Boundary, Op, Place, Slot};
+use crate::kernel::model::{Access, Action, Boundary, Op, Place, Projection, Slot};
 use crate::kernel::syntax::parts;
 
 /// Reads, writes or changes one element.
@@ -96,14 +97,8 @@ pub(super) fn change(rewrite: &Rewrite<'_>, action: &Action, target: &Ident, val
         Action::Write { part, .. } => (part, None),
         Action::Update { part, op, .. } => (part, Some(*op)),
     };
-    let part = part.iter().map(|step| match step {
-        crate::kernel::model::Projection::Member(member) => quote!(.#member),
-        crate::kernel::model::Projection::Index(index) => {
-            let index = rewrite.expr(index);
-            quote!([#index])
-        }
-    });
-    let place = quote!(#target #(#part)*);
+    let part = rewrite.part(part);
+    let place = quote!(#target #part);
     let private = private();
     match op {
         None => quote_spanned!(span=> #place = #value;),
@@ -123,9 +118,19 @@ pub(super) fn change(rewrite: &Rewrite<'_>, action: &Action, target: &Ident, val
 
 /// `view.add(index, value)`.
 fn accumulate(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, access: &Access, view: &Ident) -> TokenStream {
-    let Action::Update { op, value, .. } = &access.action else { unreachable!("an accumulation has an operator") };
+    let Action::Update { part, op, value } = &access.action else { unreachable!("an accumulation has an operator") };
     let ends = Ends::of(&access.spot);
     let value = rewrite.expr(value);
+    let based = launch.based(node);
+    let (at, place) = match based {
+        Some((base, offset)) => ("_at", quote!(&#base, #offset)),
+        None => ("", rewrite.expr(&access.index)),
+    };
+    if !part.is_empty() {
+        let value = element_with(rewrite, *op, part, &value, view);
+        let (private, kind) = (private(), op.group().map(kind));
+        return ends.call(view, &format!("part{at}"), quote!(#private::#kind, #place, #value));
+    }
     let method = match op {
         Op::Add => "add",
         Op::Sub => "sub",
@@ -137,11 +142,18 @@ fn accumulate(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, access: &
         Op::Xor => "xor",
         Op::Div | Op::Rem | Op::Shl | Op::Shr => unreachable!("`{}` accumulates nothing", op.text()),
     };
-    match launch.based(node) {
-        Some((base, offset)) => ends.call(view, &format!("{method}_at"), quote!(&#base, #offset, #value)),
-        None => {
-            let index = rewrite.expr(&access.index);
-            ends.call(view, method, quote!(#index, #value))
-        }
-    }
+    ends.call(view, &format!("{method}{at}"), quote!(#place, #value))
+}
+
+/// The element with a part that is accumulated, and nothing to accumulate in the others.
+fn element_with(rewrite: &Rewrite<'_>, op: Op, part: &[Projection], value: &TokenStream, view: &Ident) -> TokenStream {
+    let (kind, part) = (op.group().map(kind), rewrite.part(part));
+    let (element, new, private) = (hidden("element"), hidden("new"), private());
+    let changed = if op == Op::Sub { quote!(#private::negative(#new)) } else { quote!(#new) };
+    quote!({
+        let #new = #value;
+        let mut #element = #view.identity(#private::#kind);
+        #element #part = #changed;
+        #element
+    })
 }

@@ -4,14 +4,15 @@ use proc_macro2::Span;
 use quote::ToTokens;
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
-use syn::{Expr, Ident};
+use syn::{Expr, Ident, Member};
 
 use super::index::Iteration;
 use super::scope::Kind;
-use super::targets::{Base, root};
+use super::targets::{Base, Root, root};
 use super::{Lower, Mode};
 use crate::kernel::model::{
-    Access, Action, Assigned, Boundary, Capture, FieldCall, Node, Op, Place, Projection, Reduce, Reduction, Spot, What,
+    Access, Action, Assigned, Boundary, Capture, FieldCall, Group, Node, Op, Place, Projection, Reduce, Reduction,
+    Spot, What,
 };
 use crate::kernel::syntax::{bare, compound, name_of};
 use crate::kernel::text::text;
@@ -116,9 +117,8 @@ impl Lower {
             self.visit_expr_mut(&mut assign.right);
             return self.find(What::Destructuring, &spot.tokens);
         }
-        if let Some((name, kind)) = self.outer_root(&assign.left) {
-            let how = if kind == Assigned::Reference { kind } else { Assigned::Plain };
-            self.find(What::OuterAssigned { name: name.to_string(), how }, &spot.tokens);
+        if let Some((root, how)) = self.outer_root(&assign.left) {
+            self.find(What::OuterAssigned { name: root.name.to_string(), how }, &spot.tokens);
             return self.visit_expr_mut(&mut assign.right);
         }
         visit_mut::visit_expr_mut(self, expr);
@@ -133,10 +133,11 @@ impl Lower {
     }
 
     /// The variable from outside the parallel loop that a left side changes, and how.
-    fn outer_root(&self, left: &Expr) -> Option<(Ident, Assigned)> {
-        let (name, how) = root(left)?;
-        let referring = matches!(self.outer(name)?, Kind::Reference | Kind::Exclusive);
-        Some((name.clone(), if referring { Assigned::Reference } else { how }))
+    fn outer_root(&self, left: &Expr) -> Option<(Root, Assigned)> {
+        let root = root(left)?;
+        let referring = root.dereferenced || matches!(self.outer(&root.name)?, Kind::Reference | Kind::Exclusive);
+        self.outer(&root.name)?;
+        Some((root, if referring { Assigned::Reference } else { Assigned::Plain }))
     }
 
     /// `target op= value`.
@@ -161,40 +162,63 @@ impl Lower {
             *expr = self.access(access, Action::Update { part, op, value }, spot);
             return true;
         }
-        let Some((variable, how)) = self.outer_root(left) else { return false };
+        let Some((root, how)) = self.outer_root(left) else { return false };
         self.visit_expr_mut(&mut value);
         match (how, op.group()) {
-            (Assigned::Plain, Some(_)) => {
-                self.reduction(&variable, op, &spot);
-                *expr = self.node(Node::Reduce(Reduce { variable, op, value }), spot.tokens.span());
+            (Assigned::Plain, Some(group)) => {
+                let Root { name: variable, mut part, .. } = root;
+                self.visit_part(&mut part);
+                let entries = part.iter().take_while(|step| matches!(step, Projection::Member(Member::Unnamed(_))));
+                let rest = part.split_off(entries.count());
+                if let Some(reduction) = self.reduction(&variable, part, !rest.is_empty(), (op, group), &spot) {
+                    let reduce = Reduce { variable, reduction, part: rest, op, value };
+                    *expr = self.node(Node::Reduce(reduce), spot.tokens.span());
+                }
             }
-            (Assigned::Plain, None) => {
-                self.find(
-                    What::OuterAssigned { name: variable.to_string(), how: Assigned::Operator(op) },
-                    &spot.tokens,
-                );
+            (how, _) => {
+                let how = if how == Assigned::Plain { Assigned::Operator(op) } else { how };
+                self.find(What::OuterAssigned { name: root.name.to_string(), how }, &spot.tokens);
             }
-            (how, _) => self.find(What::OuterAssigned { name: variable.to_string(), how }, &spot.tokens),
         }
         true
     }
 
-    fn reduction(&mut self, name: &Ident, op: Op, spot: &Spot) {
-        let (Some(number), Some(group)) = (self.parallel(), op.group()) else { return };
+    /// The reduction that an accumulation belongs to; none where that is an error.
+    fn reduction(
+        &mut self,
+        name: &Ident,
+        place: Vec<Projection>,
+        by_parts: bool,
+        (op, group): (Op, Group),
+        spot: &Spot,
+    ) -> Option<usize> {
+        let number = self.parallel()?;
+        let entry = |step| match step {
+            Projection::Member(member) => Some(member),
+            Projection::Index(_) => None,
+        };
+        let place: Vec<Member> = place.into_iter().filter_map(entry).collect();
         let reductions = &mut self.kernel.loops[number].reductions;
-        match reductions.iter().find(|reduction| reduction.name == *name) {
-            None => reductions.push(Reduction { name: name.clone(), group, first: (op, spot.clone()) }),
-            Some(known) if known.group != group => {
-                let what = What::ReductionGroups {
-                    name: name.to_string(),
-                    op,
-                    first: known.first.0,
-                    line: known.first.1.line(),
-                };
-                self.find(what, &spot.tokens);
+        let line = |known: &Reduction| known.first.1.line();
+        for (known, reduction) in reductions.iter_mut().enumerate().filter(|(_, known)| known.name == *name) {
+            let shorter = place.len().min(reduction.place.len());
+            if reduction.place[..shorter] != place[..shorter] {
+                continue;
             }
-            Some(_) => {}
+            let what = if reduction.place != place {
+                What::ReductionParts { name: name.to_string(), line: line(reduction) }
+            } else if reduction.group != group {
+                let (first, line) = (reduction.first.0, line(reduction));
+                What::ReductionGroups { name: name.to_string(), op, first, line }
+            } else {
+                reduction.by_parts |= by_parts;
+                return Some(known);
+            };
+            self.find(what, &spot.tokens);
+            return None;
         }
+        reductions.push(Reduction { name: name.clone(), place, by_parts, group, first: (op, spot.clone()) });
+        Some(reductions.len() - 1)
     }
 
     /// Notes that the parallel loop reads a variable from outside.
@@ -257,7 +281,9 @@ impl Lower {
                 return;
             }
             self.find(What::FieldMethod { field, name: name.to_owned(), later }, &method);
-        } else if !whole {
+        } else if whole {
+            self.kernel.handed_on.insert(field);
+        } else {
             let receiver = call.receiver.to_token_stream();
             self.find(What::BareMember { field, in_loop: false }, &receiver);
         }
@@ -267,13 +293,7 @@ impl Lower {
     /// `function(arguments)`.
     pub(super) fn visit_call(&mut self, call: &mut syn::ExprCall) {
         let function = call.func.to_token_stream().to_string();
-        if let Expr::Path(path) = &*call.func {
-            let random =
-                path.qself.is_none() && path.path.segments.len() == 1 && path.path.segments[0].ident == "random";
-            if random && call.args.len() == 2 && self.scopes.find(&path.path.segments[0].ident).is_none() {
-                self.find(What::Random, &path.path);
-            }
-        }
+        self.note_random(call);
         self.visit_expr_mut(&mut call.func);
         for argument in &mut call.args {
             self.visit_argument(argument, &function);

@@ -170,14 +170,17 @@ impl Lower {
     }
 
     /// The constant ranges of `unroll!`.
-    pub(super) fn unroll_ranges(&mut self, tokens: TokenStream) -> Option<Vec<(i32, i32)>> {
-        let Some(list) = arguments(tokens.clone()).filter(|list| !list.is_empty()) else {
+    pub(super) fn unroll_ranges(&mut self, tokens: TokenStream) -> Option<Unrolled> {
+        let Some(mut list) = arguments(tokens.clone()).filter(|list| !list.is_empty()) else {
             self.find(What::HeadArguments { name: "unroll".to_owned() }, &tokens);
             return None;
         };
-        if list.len() == 2 && matches!(bare(&list[0]), Expr::Path(_)) && matches!(bare(&list[1]), Expr::Range(_)) {
-            self.find(What::UnrollAxes, &tokens);
-            return None;
+        let axes = match bare(&list[0]) {
+            Expr::Path(path) if list.len() == 2 && is_type(&path.path) => Some(path.path.clone()),
+            _ => None,
+        };
+        if axes.is_some() {
+            list.remove(0);
         }
         let mut ranges = Vec::new();
         for range in &list {
@@ -200,8 +203,20 @@ impl Lower {
                 }
             }
         }
-        Some(ranges)
+        Some(Unrolled { axes, ranges })
     }
+}
+
+/// What `unroll!` runs over.
+pub(super) struct Unrolled {
+    /// The type over all of whose axes the one range runs.
+    pub(super) axes: Option<syn::Path>,
+    pub(super) ranges: Vec<(i32, i32)>,
+}
+
+/// Whether a path is named as types are.
+fn is_type(path: &syn::Path) -> bool {
+    path.segments.last().is_some_and(|last| last.ident.to_string().starts_with(char::is_uppercase))
 }
 
 /// Expressions separated by commas.

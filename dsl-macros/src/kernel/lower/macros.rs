@@ -98,7 +98,6 @@ impl Lower {
     /// The names that format strings capture inline: they cannot be rewritten.
     fn format_captures(&mut self, arguments: &MacroArguments) {
         let MacroArguments::List(list) = arguments else { return };
-        let Some(number) = self.parallel() else { return };
         let named = |name: &str| {
             list.iter()
                 .any(|argument| matches!(argument, Expr::Assign(a) if name_of(&a.left).is_some_and(|n| n == name)))
@@ -108,6 +107,10 @@ impl Lower {
             let Lit::Str(format) = &literal.lit else { continue };
             for name in inline_names(&format.value()).into_iter().filter(|name| !named(name)) {
                 let ident = Ident::new(&name, format.span());
+                let Some(number) = self.parallel() else {
+                    self.kernel.handed_on.extend(self.field(&ident));
+                    continue;
+                };
                 let reduction = self.kernel.loops[number].reductions.iter().any(|reduction| reduction.name == ident);
                 if let Some(field) = self.field(&ident) {
                     self.find(What::BareField { field }, format);
@@ -126,7 +129,10 @@ impl Lower {
         let mut mentions = Vec::new();
         collect(call.tokens.clone(), &mut mentions);
         let name = if definition { "macro_rules".to_owned() } else { call.path.to_token_stream().to_string() };
-        let Some(number) = self.parallel() else { return };
+        let Some(number) = self.parallel() else {
+            let fields: Vec<usize> = mentions.iter().filter_map(|name| self.field(name)).collect();
+            return self.kernel.handed_on.extend(fields);
+        };
         let found = &mut self.kernel.loops[number];
         found.hidden.extend(mentions.iter().map(ToString::to_string));
         let spot = Spot::new(call);

@@ -7,6 +7,7 @@ mod jumps;
 mod loops;
 mod macros;
 mod scope;
+mod suspicions;
 mod targets;
 
 use std::collections::BTreeSet;
@@ -47,6 +48,8 @@ pub(super) fn lower(mut function: ItemFn, options: TokenStream) -> Kernel {
         bound: Vec::new(),
         mutable: BTreeSet::new(),
         findings: Vec::new(),
+        handed_on: BTreeSet::new(),
+        suspicions: Vec::new(),
     };
     let mut lower = Lower {
         kernel,
@@ -266,6 +269,10 @@ impl Lower {
                 self.visit_expr_mut(&mut paren.expr);
                 self.statement = false;
             }
+            Expr::Binary(binary) => {
+                self.note_remainder(binary);
+                visit_mut::visit_expr_mut(self, expr);
+            }
             _ => visit_mut::visit_expr_mut(self, expr),
         }
     }
@@ -276,6 +283,8 @@ impl Lower {
         if let Some(field) = self.field(&name) {
             if self.parallel().is_some() {
                 self.find(What::BareField { field }, &name);
+            } else {
+                self.kernel.handed_on.insert(field);
             }
         } else if let Some(kind) = self.outer(&name) {
             self.capture(&name, kind);

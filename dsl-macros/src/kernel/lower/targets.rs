@@ -3,7 +3,7 @@
 use syn::{Expr, Ident, Member};
 
 use super::Lower;
-use crate::kernel::model::{Assigned, Projection};
+use crate::kernel::model::Projection;
 use crate::kernel::syntax::{bare, name_of};
 
 /// A field or a member of it, without an index.
@@ -78,17 +78,29 @@ impl Lower {
     }
 }
 
-/// The variable that an assignment's left side changes, and how: all of it, a part, or what it refers to.
-pub(super) fn root(expr: &Expr) -> Option<(&Ident, Assigned)> {
-    let (name, how) = match bare(expr) {
-        Expr::Field(member) => (root(&member.base)?, Assigned::Component),
-        Expr::Index(index) => (root(&index.expr)?, Assigned::Entry),
-        Expr::Unary(unary) if matches!(unary.op, syn::UnOp::Deref(_)) => (root(&unary.expr)?, Assigned::Reference),
-        path => return name_of(path).map(|name| (name, Assigned::Plain)),
+/// The variable that an assignment's left side changes, and what of it.
+pub(super) struct Root {
+    pub(super) name: Ident,
+    /// The steps from the variable to the part.
+    pub(super) part: Vec<Projection>,
+    /// Whether it is what the variable refers to.
+    pub(super) dereferenced: bool,
+}
+
+/// Takes an assignment's left side apart.
+pub(super) fn root(expr: &Expr) -> Option<Root> {
+    let (inner, step) = match bare(expr) {
+        Expr::Field(member) => (&member.base, Projection::Member(member.member.clone())),
+        Expr::Index(index) => (&index.expr, Projection::Index(index.index.clone())),
+        Expr::Unary(unary) if matches!(unary.op, syn::UnOp::Deref(_)) => {
+            return root(&unary.expr).map(|root| Root { dereferenced: true, ..root });
+        }
+        path => {
+            let name = name_of(path)?.clone();
+            return Some(Root { name, part: Vec::new(), dereferenced: false });
+        }
     };
-    Some(match name {
-        (name, Assigned::Plain) => (name, how),
-        // What is nearest to the variable decides.
-        inner => inner,
-    })
+    let mut root = root(inner)?;
+    root.part.push(step);
+    Some(root)
 }

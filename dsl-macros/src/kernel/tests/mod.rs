@@ -9,6 +9,7 @@ mod accepted;
 mod conflicts;
 mod expansions;
 mod heads;
+mod lints;
 mod names;
 mod races;
 mod signatures;
@@ -34,14 +35,19 @@ fn codes(source: &str) -> Vec<&'static str> {
     diagnose(source).errors().iter().map(|error| error.code().text()).collect()
 }
 
+/// The kernel with a body.
+fn kernel(body: &str) -> String {
+    format!(
+        "fn k(u: &mut Field<R, _, Ij>, v: &Field<R, _, Ij>, p: &mut Field<R, _>, q: &Field<R, _>, n: i32, x: f32, \
+         mut s: f32, w: &mut f32) {{ {body} }}"
+    )
+}
+
 /// Asserts that a body has these errors. Its fields are `u`, `v` (axes `i`, `j`), `p`, `q` (axis `i`), all but `v` and `q` to be
 /// written; `n`, `x` are numbers, `s` a mutable one, `w` a `&mut f32`.
 #[track_caller]
 fn body(source: &str, expected: &[&str]) {
-    let kernel = format!(
-        "fn k(u: &mut Field<R, _, Ij>, v: &Field<R, _, Ij>, p: &mut Field<R, _>, q: &Field<R, _>, n: i32, x: f32, \
-         mut s: f32, w: &mut f32) {{ {source} }}"
-    );
+    let kernel = kernel(source);
     let found: Vec<String> = diagnose(&kernel).errors().iter().map(|error| error.text()).collect();
     assert_eq!(codes(&kernel), expected, "{source}\n{}", found.join("\n"));
 }

@@ -38,7 +38,9 @@ fn accumulations_stand_alone() {
     body("for a in q { p[n].min_assign(x); p[0].max_assign(x); }", &["A0204"]);
     body("for a in p { p[n] += x; p[a] *= x; }", &["A0204"]);
     body("for a in p { p[a] = x; p[n] += x; }", &["A0206"]);
-    body("for a in q { p[n].y += x; }", &["A0211"]);
+    body("for a in q { p[n].y += x; p[a].x_axis[n] -= x; }", &[]);
+    body("for a in q { p[n].y += x; p[a].x *= x; }", &["A0204"]);
+    body("for a in q { p[n].y += x; let y = p[n].x; }", &["A0203"]);
     body("for a in q { p[n] /= x; p[n] %= 2; p[n] <<= 1; }", &["A0212", "A0212", "A0212"]);
 }
 

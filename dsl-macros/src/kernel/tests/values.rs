@@ -45,8 +45,6 @@ fn methods_of_fields_and_elements() {
     body("for a in p { p.m.fill(x); }", &["A0216"]);
     body("for a in p { p[a] = (p.len() + u.shape()[0]) as f32; p[a].swap(0, 1); }", &[]);
     body("p.fill(x); p.get(3).y();", &[]);
-    body("for a in p { let y = random::<f32>(seed, a); }", &["A0222"]);
-    body("for a in p { let y = self::random(seed, a) + random(a); let random = |y, z| y; random(1, 2); }", &[]);
 }
 
 #[test]
@@ -62,14 +60,25 @@ fn reductions_are_only_accumulated() {
 }
 
 #[test]
+fn reductions_into_parts() {
+    body("for a in p { s[q[a] as usize] += 1; s[0] -= 1; s.x += x; s += s0; s.y_axis[n] -= x; }", &[]);
+    body("let mut t = y; for a in p { t.0 += 1; t.1.max_assign(x); t.2[n] *= 2; t.3.x |= 1; t.3 |= 2; }", &[]);
+    body("for a in p { s[n] += 1; s.x *= 2; }", &["A0218"]);
+    body("let mut t = y; for a in p { t.0 += 1; t.1 += t.0; }", &["A0217"]);
+    body("let mut t = y; for a in p { t.0 += 1; t.0.1 += 2; }", &["A0220"]);
+    body("let mut t = y; for a in p { t.0 += 1; t += y; }", &["A0220"]);
+    body("for a in p { s[s[0]] += 1; }", &["A0217"]);
+    body("for a in p { *s[0] += 1; (*s).x += 1; w.x += 1; }", &["A0219", "A0219", "A0219"]);
+    body("for a in p { s[n] /= 2; s.x = 1; }", &["A0219", "A0219"]);
+}
+
+#[test]
 fn variables_from_outside_are_not_assigned() {
     body("for a in p { s = p[a]; }", &["A0219"]);
     body("for a in p { s /= x; }", &["A0219"]);
     body("for a in p { *w += x; }", &["A0219"]);
     body("for a in p { *w = x; }", &["A0219"]);
     body("let mut t = [0; 3]; for a in p { t[0] = 1; }", &["A0219"]);
-    body("let mut t = [0; 3]; for a in p { t[0] += 1; }", &["A0220"]);
-    body("let mut t = Vec2::ZERO; for a in p { t.x += x; }", &["A0220"]);
     body("for a in p { let mut t = [0; 3]; t[0] = 1; t[1] += 2; t = [1; 3]; let mut s = 0; s += 1; s = 2; }", &[]);
     body("#[serial] for a in p { s = p[a]; *w += s; }", &[]);
 }
