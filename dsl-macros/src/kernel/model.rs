@@ -122,7 +122,7 @@ pub(crate) enum Node {
     /// `f.len()` and its like inside a parallel loop.
     FieldCall(FieldCall),
     /// `f.get_unchecked(index)` or `f.set_unchecked(index, value)`.
-    Unchecked(UncheckedAccess),
+    Unchecked(Box<UncheckedAccess>),
     /// An accumulation into a variable of the top level.
     Reduce(Reduce),
     /// A `break` or `continue` of a parallel or unrolled loop.
@@ -538,8 +538,12 @@ pub(crate) enum What {
 pub(crate) enum Upon {
     /// A range: `(0..n).rev()`.
     Range,
+    /// A part of a field, with other arguments than it takes or in another order: `u.interior()`.
+    Part,
     /// A field: `&u`, `u.iter()`.
     Field(String),
+    /// A name that is no field's.
+    Name,
     /// Something else.
     Other,
 }

@@ -120,7 +120,7 @@ impl Lower {
             *self.kernel.loops[number].unchecked.entry(field).or_default() |= value.is_some();
         }
         let span = spot.tokens.span();
-        *expr = self.node(Node::Unchecked(UncheckedAccess { field, path, index, value, spot }), span);
+        *expr = self.node(Node::Unchecked(Box::new(UncheckedAccess { field, path, index, value, spot })), span);
     }
 
     /// `target = value`.

@@ -14,6 +14,9 @@ use crate::kernel::text::text;
 /// Heads that the language knows and this version lacks.
 const LATER_HEADS: &[&str] = &["row"];
 
+/// The methods of fields that name a part of them.
+const PARTS: &[&str] = &["interior", "border", "checkerboard", "colored"];
+
 impl Lower {
     /// The head of a parallel loop; what is in no list is a finding.
     pub(super) fn parallel_head(&mut self, expr: &mut Expr) -> Head {
@@ -103,7 +106,12 @@ impl Lower {
     fn upon(&self, expr: &Expr) -> Upon {
         match bare(expr) {
             Expr::Range(_) => Upon::Range,
-            Expr::MethodCall(call) => self.upon(&call.receiver),
+            Expr::MethodCall(call) => match self.upon(&call.receiver) {
+                Upon::Field(_) if PARTS.contains(&call.method.to_string().as_str()) => Upon::Part,
+                Upon::Name => Upon::Other,
+                upon => upon,
+            },
+            Expr::Path(_) if self.base(expr).is_none() => Upon::Name,
             other => match self.borrowed_base(other) {
                 Some(base) => Upon::Field(self.kernel.fields[base.field].name.to_string()),
                 None => Upon::Other,
