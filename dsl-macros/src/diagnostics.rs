@@ -121,6 +121,12 @@ codes! {
     BorrowingRecord = A0303,
     /// A record without members, or with too many.
     MemberCount = A0304,
+    /// Fields where an element is to be one integer, or no enum at all.
+    NotFieldless = A0305,
+    /// An enum of which no variant has the value 0.
+    NoZeroVariant = A0306,
+    /// A variant whose value is no literal, or fits in no integer that elements have.
+    Discriminant = A0307,
     /// A word in a layout that is neither node nor place.
     UnknownNode = A0401,
     /// A word of layouts that this version does not have.

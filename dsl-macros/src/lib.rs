@@ -1,4 +1,4 @@
-//! The procedural macros of Allotrope: `#[derive(Record)]`, `layout!` and `#[kernel]`.
+//! The procedural macros of Allotrope: `#[derive(Record)]`, `#[derive(Element)]`, `layout!` and `#[kernel]`.
 //!
 //! Users take them from the crate `allotrope`, which documents the language. Each entry point here is one line around a
 //! function over `proc_macro2` tokens, so that all logic is tested without a compiler: tokens are parsed, made into a model of what
@@ -9,6 +9,7 @@
 use proc_macro::TokenStream;
 
 mod diagnostics;
+mod enumeration;
 mod kernel;
 mod layout;
 mod nearest;
@@ -20,6 +21,12 @@ mod record;
 #[proc_macro_derive(Record)]
 pub fn derive_record(input: TokenStream) -> TokenStream {
     record::expand(input.into()).into()
+}
+
+/// Makes an enum without fields an element, which members of records may have as their type: it is stored as its integer.
+#[proc_macro_derive(Element)]
+pub fn derive_element(input: TokenStream) -> TokenStream {
+    enumeration::expand(input.into()).into()
 }
 
 /// The type of a layout, from a chain of nodes: `layout!(dense(ij).dense(ij, 8).aos)`.

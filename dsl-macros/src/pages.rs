@@ -10,7 +10,7 @@ use syn::visit::{self, Visit};
 use syn::{Attribute, Item, Meta};
 
 use crate::diagnostics::Code;
-use crate::{kernel, layout, record};
+use crate::{enumeration, kernel, layout, record};
 
 fn folder() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../dsl-runtime/errors")
@@ -49,9 +49,9 @@ impl Expansions {
     }
 }
 
-fn derives_record(attributes: &[Attribute]) -> bool {
+fn derives(attributes: &[Attribute], name: &str) -> bool {
     attributes.iter().any(|attribute| {
-        attribute.path().is_ident("derive") && attribute.meta.to_token_stream().to_string().contains("Record")
+        attribute.path().is_ident("derive") && attribute.meta.to_token_stream().to_string().contains(name)
     })
 }
 
@@ -63,8 +63,11 @@ impl<'ast> Visit<'ast> for Expansions {
             Item::Union(item) => &item.attrs,
             _ => return visit::visit_item(self, item),
         };
-        if derives_record(attributes) {
+        if derives(attributes, "Record") {
             self.0.extend(record::expand(item.to_token_stream()));
+        }
+        if derives(attributes, "Element") {
+            self.0.extend(enumeration::expand(item.to_token_stream()));
         }
         visit::visit_item(self, item);
     }

@@ -44,7 +44,8 @@ impl Kind {
     }
 }
 
-/// A type that a member of a record may have: scalars, glam's vectors, matrices and quaternions, and arrays of elements.
+/// A type that a member of a record may have: scalars, glam's vectors, matrices and quaternions,
+/// enums with `#[derive(Element)]` ([`Enumeration`](crate::Enumeration)), and arrays of elements.
 ///
 /// An element is a fixed list of [`COMPONENTS`](Element::COMPONENTS) scalars of one type, so that a layout can place
 /// them together or apart. Values move by components or by unaligned loads; no reference into a field is ever made.
@@ -57,13 +58,13 @@ impl Kind {
 /// ```
 ///
 /// # Safety
-/// Implemented here alone. `PACKED` may be true only where `Self` is exactly `COMPONENTS` scalars in order, without padding.
+/// Implemented here, and for enums by `#[derive(Element)]`. `PACKED` may be true only where `Self` is exactly `COMPONENTS` scalars in order, without padding.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no element: a field cannot hold it",
     label = "not an element type",
-    note = "elements are f32, f64, i8..i64, u8..u64, bool, glam's vectors, matrices and quaternions (Vec2, DVec3, IVec2, Mat3, Quat, ..), and arrays [T; N] of elements"
+    note = "elements are f32, f64, i8..i64, u8..u64, bool, glam's vectors, matrices and quaternions (Vec2, DVec3, IVec2, Mat3, Quat, ..), arrays [T; N] of elements, and enums without fields that have #[derive(Element)]"
 )]
-pub unsafe trait Element: Copy + Send + Sync + Sealed + 'static {
+pub unsafe trait Element: Copy + Send + Sync + 'static {
     /// The type of its components.
     type Scalar: Scalar;
     /// How many components it has.
@@ -89,6 +90,12 @@ pub unsafe trait Element: Copy + Send + Sync + Sealed + 'static {
     /// The element all of whose components are the same.
     #[doc(hidden)]
     fn splat(scalar: Self::Scalar) -> Self;
+    /// What the bytes of all components, in the order of this machine, hold that is no value of the type: every pattern of bits is a number,
+    /// but not every byte is a `bool`.
+    #[doc(hidden)]
+    fn wrong(_bytes: &[u8]) -> Option<i64> {
+        None
+    }
 }
 
 /// An element that lies in memory as its components, one after another: what a slice that a kernel writes may hold.
@@ -131,6 +138,10 @@ macro_rules! scalars {
             #[inline(always)]
             fn splat(scalar: Self) -> Self {
                 scalar
+            }
+            fn wrong(bytes: &[u8]) -> Option<i64> {
+                let wrong = bytes.iter().find(|byte| Kind::$kind == Kind::Bool && **byte > 1);
+                wrong.map(|byte| i64::from(*byte))
             }
         }
     )*};
@@ -270,6 +281,9 @@ unsafe impl<T: Element, const N: usize> Element for [T; N] {
     #[inline(always)]
     fn splat(scalar: T::Scalar) -> Self {
         [T::splat(scalar); N]
+    }
+    fn wrong(bytes: &[u8]) -> Option<i64> {
+        bytes.chunks_exact((T::COMPONENTS * size_of::<T::Scalar>()).max(1)).find_map(T::wrong)
     }
 }
 

@@ -54,7 +54,7 @@
 //! # Records
 //!
 //! A record is a struct with named members, 24 at most, whose types are [elements](Element): `f32 f64 i8..i64 u8..u64 bool`, glam's
-//! vectors, matrices and quaternions, and arrays `[T; N]` of elements. A bare element is a record of one unnamed member:
+//! vectors, matrices and quaternions, enums without fields that have [`#[derive(Element)]`](macro@Element), and arrays `[T; N]` of elements. A bare element is a record of one unnamed member:
 //! `Field<f32, L, Ij>` is indexed as `u[(i, j)]`, a member of a struct as `grid.v[(i, j)]`, a whole record as `grid[(i, j)]`.
 //!
 //! # Layouts
@@ -218,7 +218,7 @@
 //!
 //! # Not available yet
 //!
-//! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`); indices below zero (`with_origin`); nested records and enums; reads of the other
+//! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`); indices below zero (`with_origin`); nested records; reads of the other
 //! colour beside writes under `checkerboard`; `#[relaxed]` and atomics that return the old value.
 //! Where one of these words is used, the error says so.
 
@@ -228,6 +228,7 @@ extern crate self as allotrope;
 mod axes;
 mod capture;
 mod element;
+mod enumeration;
 pub mod errors;
 mod field;
 mod index;
@@ -249,9 +250,10 @@ mod view;
 pub mod __private;
 pub mod prelude;
 
-pub use allotrope_macros::{Record, kernel, layout};
+pub use allotrope_macros::{Element, Record, kernel, layout};
 pub use axes::{Axes, I, Ij, Ijk, Ijkl, O, Shape};
 pub use element::{Element, Scalar};
+pub use enumeration::{Enumeration, Representation};
 pub use field::{
     AnyMember, AnyMemberMut, Field, FileError, FileFault, Member, MemberMut, NonFinite, OutOfRange, ParallelRecords,
     Permutation, PermutationError, Records, ScanOverflow, ShapeError, ShapeMismatch, Source, SourceMut,

@@ -1,5 +1,6 @@
 //! What the macros' expansions call. Nothing here is for users: it changes with the macros, whose version is locked.
 
+pub use crate::enumeration::Code;
 pub use crate::launch::{Border, Checkerboard, Colored, Sieve, Sifted, sift, sifted};
 pub use crate::launch::{
     Cell, Options, Outs, Partial, Reduction, Run, Space, Strip, Task, interior, launch, launch_own, over, range,

@@ -29,6 +29,12 @@ macro_rules! list {
                 // SAFETY: the caller promises writable members; `at` names each one's first component and their distance.
                 $({ let (to, component) = at($n); unsafe { $element.scatter(to, component) } })+
             }
+            fn wrong(member: usize, bytes: &[u8]) -> Option<i64> {
+                match member {
+                    $($n => $element::wrong(bytes),)+
+                    _ => None,
+                }
+            }
         }
     };
 }

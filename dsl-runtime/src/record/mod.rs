@@ -140,6 +140,8 @@ pub trait ElementList: Copy + Send + Sync + sealed::List + 'static {
     /// # Safety
     /// All components must be writable.
     unsafe fn scatter(self, at: impl Fn(usize) -> (*mut u8, usize));
+    /// What the bytes of a member's components hold that is no value of its type.
+    fn wrong(member: usize, bytes: &[u8]) -> Option<i64>;
 }
 
 /// The type of member `M` of a tuple.

@@ -417,7 +417,7 @@ fn bytes_that_are_no_bool_are_refused() {
     fs::write(&path, set([0, 1, 1, 0, 0, 2, 1, 1])).expect("a file");
     let error = flags.load(&path).unwrap_err();
     assert!(matches!(error.fault(), FileFault::Value { index, found: 2, .. } if index == &[1, 0]), "{error}");
-    assert!(error.to_string().ends_with("has a value that is no `bool`: `set.npy` holds 2 at [1, 0]"), "{error}");
+    assert!(error.to_string().ends_with("has a value that its type has not: `set.npy` holds 2 at [1, 0]"), "{error}");
     assert!(flags.iter().all(|flags| flags == Flags { count: 0, set: [false; 2] }));
     fs::write(&path, set([0, 1, 1, 0, 0, 1, 1, 1])).expect("a file");
     flags.load(&path).expect("loaded");
@@ -439,4 +439,34 @@ fn what_the_system_refuses_is_an_error_and_leaves_nothing() {
     assert!(matches!(u.save(&path).unwrap_err().fault(), FileFault::Write(_)));
     assert!(matches!(u.clone().load(&path).unwrap_err().fault(), FileFault::Archive { .. } | FileFault::Read(_)));
     assert_eq!(fs::read_dir(folder.path()).expect("the folder").count(), 1);
+}
+
+#[test]
+fn integers_that_are_no_variant_are_refused() {
+    #[derive(Element, Clone, Copy, Debug, PartialEq)]
+    enum Phase {
+        Steam = -1,
+        Water,
+        Ice = 7,
+    }
+    #[derive(RecordTrait, Clone, Copy, Debug, PartialEq)]
+    struct Parcel {
+        phases: [Phase; 2],
+        mass: f32,
+    }
+    let (_folder, path) = place();
+    let mut parcels = Field::<Parcel, AoSoA<2>>::new([3]);
+    parcels.set(1, Parcel { phases: [Phase::Ice, Phase::Steam], mass: 2.0 });
+    parcels.save(&path).expect("saved");
+    let mut loaded = Field::<Parcel, Split>::new([3]);
+    loaded.load(&path).expect("loaded");
+    assert!(loaded.iter().eq(parcels.iter()));
+
+    let mass = npy("{'descr': '<f4', 'fortran_order': False, 'shape': (3,), }", &[0; 12]);
+    let phases = npy("{'descr': '|i1', 'fortran_order': False, 'shape': (3, 2), }", &[0, 255, 7, 0, 0, 254]);
+    fs::write(&path, archive(&[("phases.npy", &phases), ("mass.npy", &mass)], CompressionMethod::Stored))
+        .expect("a file");
+    let error = loaded.load(&path).unwrap_err();
+    assert!(error.to_string().ends_with("has a value that its type has not: `phases.npy` holds -2 at [2]"), "{error}");
+    assert!(loaded.iter().eq(parcels.iter()), "the field stays as it was");
 }

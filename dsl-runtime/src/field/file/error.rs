@@ -98,14 +98,14 @@ pub enum FileFault {
         /// The extents that it must have: the field's, and for members of several components their number.
         expected: Vec<u64>,
     },
-    /// A value is none of its type: a `bool` other than 0 and 1.
+    /// A value is none of its type: a `bool` other than 0 and 1, an integer that is no variant of an enum.
     Value {
         /// The array.
         entry: String,
         /// The element's index.
         index: Vec<u32>,
         /// What stands there.
-        found: u8,
+        found: i64,
     },
     /// There is no memory for what it holds.
     Memory(ShapeError),
@@ -130,7 +130,7 @@ impl fmt::Display for FileFault {
                 write!(f, "has another shape: `{entry}` is of shape {found:?}, where {expected:?} is wanted")
             }
             Self::Value { entry, index, found } => {
-                write!(f, "has a value that is no `bool`: `{entry}` holds {found} at {index:?}")
+                write!(f, "has a value that its type has not: `{entry}` holds {found} at {index:?}")
             }
             Self::Memory(error) => write!(f, "cannot be loaded: {error}"),
         }

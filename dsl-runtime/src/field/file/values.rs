@@ -1,7 +1,6 @@
 //! The values of a member at one element, as bytes: its components in order.
 
 use crate::axes::{Axes, MAX_AXES};
-use crate::element::Kind;
 use crate::field::Field;
 use crate::layout::Layout;
 use crate::record::{ElementList, MemberSpec, Record};
@@ -36,12 +35,11 @@ pub(super) fn put<R: Record, L: Layout<X>, X: Axes>(
     m: usize,
     at: [u32; MAX_AXES],
     bytes: &[u8],
-) -> Result<(), u8> {
+) -> Result<(), i64> {
     let (handle, spec) = (field.handle(), &R::Elements::MEMBERS[m]);
     assert_within(at, handle.geometry.shape);
     assert_eq!(bytes.len(), size(spec), "the bytes of one element");
-    // Every pattern of bits is a number, but not every byte is a `bool`.
-    if let (Kind::Bool, Some(&wrong)) = (spec.kind, bytes.iter().find(|&&byte| byte > 1)) {
+    if let Some(wrong) = R::Elements::wrong(m, bytes) {
         return Err(wrong);
     }
     let (first, distance) = handle.component(m, at);
