@@ -113,6 +113,10 @@
 //! With `T: Real` (see [`Real`]) one kernel serves `f32` and `f64`; records, elements, axes, layouts and constants may be type parameters too, and
 //! `_` leaves the turbofish to them.
 //!
+//! Any Rust function may be called on values. One that is marked [`#[func]`](macro@func) may also read members: it takes them as `Read<T, _, X>` and
+//! indexes them, and in a loop that does not change them they are handed on as they are, `bilinear(grid.density, x)`, or `bilinear(u, x)` for a bare field
+//! (see [`Readable`]).
+//!
 //! | loop head | runs over |
 //! | --- | --- |
 //! | `for p in points`, `for ij in grid`, `for (i, j) in grid` | the field's elements, each thread in the order in which they lie in memory. The index is `i32`, `IVec2`, `IVec3` or `IVec4`, or a tuple of `i32` |
@@ -246,7 +250,7 @@ mod view;
 pub mod __private;
 pub mod prelude;
 
-pub use allotrope_macros::{Record, kernel, layout};
+pub use allotrope_macros::{Record, func, kernel, layout};
 pub use axes::{Axes, I, Ij, Ijk, Ijkl, O, Shape};
 pub use element::{Element, Scalar};
 pub use field::{
@@ -260,6 +264,7 @@ pub use random::{Random, RandomKey, random};
 pub use real::Real;
 pub use record::{MAX_MEMBERS, Record};
 pub use schedule::{MAX_THREADS, Scatter, Schedule};
+pub use view::Readable;
 
 /// The examples of the README, compiled and run as documentation tests.
 #[cfg(doctest)]

@@ -122,7 +122,7 @@ pub(crate) enum Node {
     /// `f.len()` and its like inside a parallel loop.
     FieldCall(FieldCall),
     /// `f.get_unchecked(index)` or `f.set_unchecked(index, value)`.
-    Unchecked(UncheckedAccess),
+    Unchecked(Box<UncheckedAccess>),
     /// An accumulation into a variable of the top level.
     Reduce(Reduce),
     /// A `break` or `continue` of a parallel or unrolled loop.
@@ -160,6 +160,8 @@ pub(crate) enum Boundary {
     Wrapped,
     /// A value: `f.or(index, value)`.
     Or(Box<Expr>),
+    /// The function that the member is handed to has the index, and the rule.
+    Lent,
 }
 
 /// Where an index lies as seen from an iteration.
@@ -508,7 +510,7 @@ pub(crate) enum What {
     BareField { field: usize },
     /// A field or member bound by `let`.
     Alias,
-    /// A field or member handed to a function inside a parallel loop.
+    /// A field or member borrowed for a function inside a parallel loop.
     Argument { function: String },
     /// A method of a field inside a parallel loop.
     FieldMethod { field: usize, name: String, later: bool },

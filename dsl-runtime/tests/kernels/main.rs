@@ -4,6 +4,7 @@ mod accumulate;
 mod axes;
 mod boundaries;
 mod captures;
+mod functions;
 mod generic;
 mod heads;
 mod loops;
