@@ -119,8 +119,8 @@ codes! {
     NotAStruct = A0301,
     /// A record whose members have no names.
     UnnamedMembers = A0302,
-    /// A record with generic parameters.
-    GenericRecord = A0303,
+    /// A record with a lifetime.
+    BorrowingRecord = A0303,
     /// A record without members, or with too many.
     MemberCount = A0304,
     /// A word in a layout that is neither node nor place.

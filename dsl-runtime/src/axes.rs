@@ -44,7 +44,7 @@ pub trait Shape: Copy + Sealed {
 macro_rules! axes {
     ($($name:ident, $rank:literal, $index:ty, $tuple:ty, $doc:literal, |$at:pat_param| $make:expr, $make_tuple:expr;)*) => {$(
         #[doc = $doc]
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct $name;
         impl Sealed for $name {}
         impl Axes for $name {

@@ -112,6 +112,7 @@
 //! is ordinary serial Rust. A kernel is a plain function: it may be a method, be generic and return a value.
 //! With `T: Real` (see [`Real`]) one kernel serves `f32` and `f64`; records, elements, axes, layouts and constants may be type parameters too, and
 //! `_` leaves the turbofish to them.
+//! [`spatial`] does the same for plane and space.
 //!
 //! Any Rust function may be called on values. One that is marked [`#[func]`](macro@func) may also read members: it takes them as `Read<T, _, X>` and
 //! indexes them, and in a loop that does not change them they are handed on as they are, `bilinear(grid.density, x)`, or `bilinear(u, x)` for a bare field
@@ -126,6 +127,7 @@
 //! | `for (i, j) in grid.interior(1).checkerboard(c)` | heads combine: a colour of an interior or of a border |
 //! | `for i in 0..n`, `for (i, j) in ndrange!(0..n, 0..m)` | a range, without a field |
 //! | `for (a, b) in unroll!(0..3, 0..3)` | inner loops only: constants, unrolled at compile time |
+//! | `for offset in unroll!(X, 0..3)` | the same over all axes of the type parameter `X`, see [`spatial`] |
 //! | `#[serial] for ..` | any iterator, on one thread, with any access |
 //! | `#[ordered] for t in 0..n` | any iterator, turn after turn; its body is top level: the loops in it are launches |
 //!
@@ -242,6 +244,7 @@ mod record;
 mod scatter;
 mod schedule;
 mod serial;
+pub mod spatial;
 mod unchecked;
 mod view;
 

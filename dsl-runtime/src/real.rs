@@ -4,9 +4,11 @@ use core::fmt::{Debug, Display, LowerExp};
 use core::iter;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
+use crate::axes::{Ij, Ijk};
 use crate::element::{Element, Packed};
 use crate::number::{ComponentMul, Number};
 use crate::random::Random;
+use crate::spatial::{Matrix, Vector};
 
 macro_rules! real {
     (
@@ -73,6 +75,14 @@ macro_rules! real {
             + iter::Sum
             + iter::Product
         {
+            /// `Vec2` or `DVec2`.
+            type Vec2: Vector<Self, Ij>;
+            /// `Vec3` or `DVec3`.
+            type Vec3: Vector<Self, Ijk>;
+            /// `Mat2` or `DMat2`.
+            type Mat2: Matrix<Self, Self::Vec2>;
+            /// `Mat3` or `DMat3`.
+            type Mat3: Matrix<Self, Self::Vec3>;
             /// 0.
             const ZERO: Self;
             /// 1.
@@ -102,11 +112,15 @@ macro_rules! real {
             fn sin_cos(self) -> (Self, Self);
         }
 
-        real!(@impl f32 [$($constant $path $value,)*] [$($unary)*] [$($binary)*] [$($test)*]);
-        real!(@impl f64 [$($constant $path $value,)*] [$($unary)*] [$($binary)*] [$($test)*]);
+        real!(@impl f32 (Vec2 Vec3 Mat2 Mat3) [$($constant $path $value,)*] [$($unary)*] [$($binary)*] [$($test)*]);
+        real!(@impl f64 (DVec2 DVec3 DMat2 DMat3) [$($constant $path $value,)*] [$($unary)*] [$($binary)*] [$($test)*]);
     };
-    (@impl $float:ident [$($constant:ident $path:ident $value:ident,)*] [$($unary:ident)*] [$($binary:ident)*] [$($test:ident)*]) => {
+    (@impl $float:ident ($vec2:ident $vec3:ident $mat2:ident $mat3:ident) [$($constant:ident $path:ident $value:ident,)*] [$($unary:ident)*] [$($binary:ident)*] [$($test:ident)*]) => {
         impl Real for $float {
+            type Vec2 = glam::$vec2;
+            type Vec3 = glam::$vec3;
+            type Mat2 = glam::$mat2;
+            type Mat3 = glam::$mat3;
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             $(const $constant: Self = real!(@constant $float $path $value);)*

@@ -400,6 +400,8 @@ pub(crate) struct Unroll {
     pub(crate) variables: Vec<Option<Ident>>,
     /// One half-open range for each variable.
     pub(crate) ranges: Vec<(i32, i32)>,
+    /// The type over all of whose axes the one range runs: `unroll!(X, 0..3)`.
+    pub(crate) axes: Option<syn::Path>,
     pub(crate) body: Block,
     pub(crate) breaks: bool,
     pub(crate) continues: bool,
@@ -498,8 +500,8 @@ pub(crate) enum What {
     UnrollBound,
     /// `unroll!` whose pattern does not fit its ranges.
     UnrollPattern { ranges: usize },
-    /// `unroll!(X, 0..3)`.
-    UnrollAxes,
+    /// `break` and its like out of `unroll!(X, 0..3)`.
+    UnrollEscape { how: &'static str },
     /// Arguments that are no ranges.
     HeadArguments { name: String },
     /// `unroll!` or `ndrange!` elsewhere than in a head.
@@ -538,8 +540,12 @@ pub(crate) enum What {
 pub(crate) enum Upon {
     /// A range: `(0..n).rev()`.
     Range,
+    /// A part of a field, with other arguments than it takes or in another order: `u.interior()`.
+    Part,
     /// A field: `&u`, `u.iter()`.
     Field(String),
+    /// A name that is no field's.
+    Name,
     /// Something else.
     Other,
 }

@@ -1,7 +1,7 @@
 //! Tokens to syntax: the function, and which of its parameters are fields.
 
 use proc_macro2::TokenStream;
-use syn::{FnArg, ItemFn, Pat, Type};
+use syn::{AttrStyle, FnArg, ItemFn, Pat, Type};
 
 use super::model::{FieldParam, Storage};
 use super::slices;
@@ -11,7 +11,11 @@ use crate::diagnostics::{Code, Diagnostics};
 /// Reads the function; what has no body or is no function is reported.
 pub(super) fn parse(item: TokenStream, diagnostics: &mut Diagnostics) -> Option<ItemFn> {
     match syn::parse2::<ItemFn>(item.clone()) {
-        Ok(function) => Some(function),
+        Ok(mut function) => {
+            // Those at the start of the body, `#![allow(..)]`, are the function's as well, and are written before it.
+            function.attrs.iter_mut().for_each(|attribute| attribute.style = AttrStyle::Outer);
+            Some(function)
+        }
         Err(error) => {
             if let Ok(method) = syn::parse2::<syn::TraitItemFn>(item.clone()) {
                 diagnostics

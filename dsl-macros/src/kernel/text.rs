@@ -19,6 +19,8 @@ fn write(tokens: TokenStream, out: &mut String) {
     // Whether the last token was an operator that binds to what follows (`-x`, `&x`), and whether it was joined.
     let mut joined = false;
     let mut operand = false;
+    // Whether the bar of a closure's parameters is open.
+    let mut closure = false;
     for token in tokens {
         match token {
             TokenTree::Group(group) => {
@@ -34,9 +36,15 @@ fn write(tokens: TokenStream, out: &mut String) {
                 operand = true;
                 joined = false;
             }
+            TokenTree::Punct(punct) if closure && punct.as_char() == '|' => {
+                trim(out);
+                out.push_str("| ");
+                (closure, operand, joined) = (false, false, false);
+            }
             TokenTree::Punct(punct) => {
                 let tight = matches!(punct.as_char(), '.' | '!' | ':' | '#' | '\'' | '?') || joined && !spaced(out);
                 let prefix = !operand && !joined && matches!(punct.as_char(), '-' | '&' | '*' | '|');
+                closure |= prefix && punct.as_char() == '|' && punct.spacing() == Spacing::Alone;
                 match punct.as_char() {
                     ',' | ';' => {
                         trim(out);
@@ -102,5 +110,7 @@ mod tests {
         same("let old = m[q]");
         same("m[q] <<= 2");
         same("a == b && !c");
+        same("(0..n).map(|_| 0)");
+        same("f(|a, b| a | b)");
     }
 }

@@ -31,14 +31,14 @@ pub(super) fn check(item: &DeriveInput, errors: &mut Diagnostics) {
                 .help("write a struct with named members");
         }
     }
-    if !item.generics.params.is_empty() {
+    for lifetime in item.generics.lifetimes() {
         errors
             .error(
-                Code::GenericRecord,
-                &item.generics.params,
-                format!("the record `{name}` has generic parameters, which are not available in this version"),
+                Code::BorrowingRecord,
+                lifetime,
+                format!("the record `{name}` has a lifetime, and a field owns what it holds"),
             )
-            .help("write a struct for each type that the record is used with");
+            .help("store an index into another field instead of a reference");
     }
 }
 

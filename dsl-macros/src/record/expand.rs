@@ -28,6 +28,13 @@ pub(super) fn expand(record: &Record<'_>) -> TokenStream {
         quote!(#element: #library::#element_trait)
     });
 
+    let (parameters, arguments, clause) = record.generics.split_for_impl();
+    // What a field holds is `'static`: so are its type parameters.
+    let owned = record.generics.type_params().map(|parameter| {
+        let name = &parameter.ident;
+        quote!(#name: 'static)
+    });
+    let wheres = clause.iter().flat_map(|clause| &clause.predicates).map(ToTokens::to_token_stream).chain(owned);
     // Errors in what follows are the struct's: they stand at its name.
     quote_spanned! {name.span()=>
         const _: () = {
@@ -39,30 +46,31 @@ pub(super) fn expand(record: &Record<'_>) -> TokenStream {
             }
 
             #[automatically_derived]
-            #[allow(trivial_bounds)]
-            impl ::allotrope::Record for #name
+            #[allow(trivial_bounds, non_camel_case_types)]
+            impl #parameters ::allotrope::Record for #name #arguments
             where
+                #(#wheres,)*
                 #(#bounds,)*
             {
                 type Elements = (#(#elements,)*);
                 const NAMES: &'static [&'static str] = &[#(#texts),*];
                 type Tags = #parts<#(::allotrope::__private::Tag<Self, #numbers>),*>;
                 const TAGS: Self::Tags = #parts { #(#names: ::allotrope::__private::Tag::NEW),* };
-                type Members<'a, L: ::allotrope::Layout<X>, X: ::allotrope::Axes> =
-                    #parts<#(::allotrope::Member<'a, Self, L, X, #numbers>),*>;
-                type MembersMut<'a, L: ::allotrope::Layout<X>, X: ::allotrope::Axes> =
-                    #parts<#(::allotrope::MemberMut<'a, Self, L, X, #numbers>),*>;
+                type Members<'a, L__: ::allotrope::Layout<X__>, X__: ::allotrope::Axes> =
+                    #parts<#(::allotrope::Member<'a, Self, L__, X__, #numbers>),*>;
+                type MembersMut<'a, L__: ::allotrope::Layout<X__>, X__: ::allotrope::Axes> =
+                    #parts<#(::allotrope::MemberMut<'a, Self, L__, X__, #numbers>),*>;
                 #[inline]
-                fn members<'a, L: ::allotrope::Layout<X>, X: ::allotrope::Axes>(
-                    #all: ::allotrope::__private::MemberRefs<'a, Self, L, X>,
-                ) -> Self::Members<'a, L, X> {
+                fn members<'a, L__: ::allotrope::Layout<X__>, X__: ::allotrope::Axes>(
+                    #all: ::allotrope::__private::MemberRefs<'a, Self, L__, X__>,
+                ) -> Self::Members<'a, L__, X__> {
                     let (#(#locals,)*) = #all;
                     #parts { #(#names: #locals),* }
                 }
                 #[inline]
-                fn members_mut<'a, L: ::allotrope::Layout<X>, X: ::allotrope::Axes>(
-                    #all: ::allotrope::__private::MemberMuts<'a, Self, L, X>,
-                ) -> Self::MembersMut<'a, L, X> {
+                fn members_mut<'a, L__: ::allotrope::Layout<X__>, X__: ::allotrope::Axes>(
+                    #all: ::allotrope::__private::MemberMuts<'a, Self, L__, X__>,
+                ) -> Self::MembersMut<'a, L__, X__> {
                     let (#(#locals,)*) = #all;
                     #parts { #(#names: #locals),* }
                 }

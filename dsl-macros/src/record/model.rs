@@ -1,10 +1,11 @@
 //! What the user meant: a name and members, with their spans.
 
-use syn::{Data, DeriveInput, Fields, Ident, Type, Visibility};
+use syn::{Data, DeriveInput, Fields, Generics, Ident, Type, Visibility};
 
 /// A struct that is to be a record.
 pub(super) struct Record<'a> {
     pub(super) name: &'a Ident,
+    pub(super) generics: &'a Generics,
     pub(super) members: Vec<Member<'a>>,
 }
 
@@ -30,5 +31,5 @@ pub(super) fn model(item: &DeriveInput) -> Record<'_> {
         },
         Data::Enum(_) | Data::Union(_) => Vec::new(),
     };
-    Record { name: &item.ident, members }
+    Record { name: &item.ident, generics: &item.generics, members }
 }

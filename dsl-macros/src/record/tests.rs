@@ -31,7 +31,7 @@ fn a_record_has_a_place_for_each_member() {
             m: A1,
         }
         #[automatically_derived]
-        #[allow(trivial_bounds)]
+        #[allow(trivial_bounds, non_camel_case_types)]
         impl ::allotrope::Record for Node
         where
             Vec2: ::allotrope::Element,
@@ -47,25 +47,25 @@ fn a_record_has_a_place_for_each_member() {
                 v: ::allotrope::__private::Tag::NEW,
                 m: ::allotrope::__private::Tag::NEW,
             };
-            type Members<'a, L: ::allotrope::Layout<X>, X: ::allotrope::Axes> = NodeMembers<
-                ::allotrope::Member<'a, Self, L, X, 0>,
-                ::allotrope::Member<'a, Self, L, X, 1>,
+            type Members<'a, L__: ::allotrope::Layout<X__>, X__: ::allotrope::Axes> = NodeMembers<
+                ::allotrope::Member<'a, Self, L__, X__, 0>,
+                ::allotrope::Member<'a, Self, L__, X__, 1>,
             >;
-            type MembersMut<'a, L: ::allotrope::Layout<X>, X: ::allotrope::Axes> = NodeMembers<
-                ::allotrope::MemberMut<'a, Self, L, X, 0>,
-                ::allotrope::MemberMut<'a, Self, L, X, 1>,
+            type MembersMut<'a, L__: ::allotrope::Layout<X__>, X__: ::allotrope::Axes> = NodeMembers<
+                ::allotrope::MemberMut<'a, Self, L__, X__, 0>,
+                ::allotrope::MemberMut<'a, Self, L__, X__, 1>,
             >;
             #[inline]
-            fn members<'a, L: ::allotrope::Layout<X>, X: ::allotrope::Axes>(
-                __all: ::allotrope::__private::MemberRefs<'a, Self, L, X>,
-            ) -> Self::Members<'a, L, X> {
+            fn members<'a, L__: ::allotrope::Layout<X__>, X__: ::allotrope::Axes>(
+                __all: ::allotrope::__private::MemberRefs<'a, Self, L__, X__>,
+            ) -> Self::Members<'a, L__, X__> {
                 let (__0, __1) = __all;
                 NodeMembers { v: __0, m: __1 }
             }
             #[inline]
-            fn members_mut<'a, L: ::allotrope::Layout<X>, X: ::allotrope::Axes>(
-                __all: ::allotrope::__private::MemberMuts<'a, Self, L, X>,
-            ) -> Self::MembersMut<'a, L, X> {
+            fn members_mut<'a, L__: ::allotrope::Layout<X__>, X__: ::allotrope::Axes>(
+                __all: ::allotrope::__private::MemberMuts<'a, Self, L__, X__>,
+            ) -> Self::MembersMut<'a, L__, X__> {
                 let (__0, __1) = __all;
                 NodeMembers { v: __0, m: __1 }
             }
@@ -140,9 +140,9 @@ fn what_is_no_struct_with_named_members_is_refused() {
 fn all_errors_come_at_once() {
     assert_eq!(
         codes(quote!(
-            struct Pair<T>(T, T);
+            struct Pair<'a>(&'a f32, &'a f32);
         )),
-        [Code::UnnamedMembers, Code::GenericRecord]
+        [Code::UnnamedMembers, Code::BorrowingRecord]
     );
 }
 

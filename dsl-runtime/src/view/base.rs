@@ -29,6 +29,22 @@ impl<X: Axes> Based<X> {
         high: [i64; N],
     ) -> Option<Self> {
         assert!(N == X::RANK);
+        let wide = |offsets: [i64; N]| {
+            let mut all = [0; MAX_AXES];
+            all[..N].copy_from_slice(&offsets);
+            all
+        };
+        Self::around(geometry, base, wide(low), wide(high))
+    }
+
+    /// The same with offsets for all axes that there could be.
+    #[inline(always)]
+    pub(super) fn around(
+        geometry: &Geometry,
+        base: [i64; MAX_AXES],
+        low: [i64; MAX_AXES],
+        high: [i64; MAX_AXES],
+    ) -> Option<Self> {
         let shape = geometry.shape;
         let fits = all::<X>(
             #[inline(always)]
@@ -38,10 +54,10 @@ impl<X: Axes> Based<X> {
                 (first >= 0) & (last < i64::from(shape[a]))
             },
         );
-        let narrow = |offsets: [i64; N]| {
+        let narrow = |offsets: [i64; MAX_AXES]| {
             per_axis(
                 #[inline(always)]
-                |a| if a < N { offsets[a] as i32 } else { 0 },
+                |a| if a < X::RANK { offsets[a] as i32 } else { 0 },
             )
         };
         fits.then(

@@ -147,6 +147,12 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
         Row::new(self.handle, self.site, run, by)
     }
 
+    /// As [`based`](Self::based), with the same offsets along all axes.
+    #[inline(always)]
+    pub fn based_all(self, base: impl crate::index::IntoIndex<X>, low: i64, high: i64) -> Option<Based<X>> {
+        Based::around(&self.handle.geometry, base.coordinates(), [low; MAX_AXES], [high; MAX_AXES])
+    }
+
     /// Reads a path at an index, whatever else the loop does there.
     ///
     /// # Safety

@@ -55,8 +55,8 @@ fn exchange(a: &mut Member<f32, _, Ij>, b: &mut Member<f32, _, Ij>) {
 #[kernel]
 fn gather(sums: &mut Member<f32, _, Ij>, highest: &mut Member<f32, _, Ij>, from: &Member<f32, _, Ij>) {
     for (i, j) in from {
-        sums[(i, 0 * j)] += from[(i, j)];
-        highest[(i, 0 * j)].max_assign(from[(i, j)]);
+        sums[(i, j.min(0))] += from[(i, j)];
+        highest[(i, j.min(0))].max_assign(from[(i, j)]);
     }
 }
 

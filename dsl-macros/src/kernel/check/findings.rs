@@ -27,6 +27,8 @@ fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
                 error.help(format!("write `{text}[..]`, or `{name}.members()` for whole members outside of loops"));
             }
         }
+        // Its name is bound again, which is told: what stands here is no field to the user.
+        What::BareField { field } if kernel.bound.contains(&kernel.fields[*field].name) => {}
         What::BareField { field } => {
             let name = &kernel.fields[*field].name;
             diagnostics
@@ -50,7 +52,12 @@ fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
             let field = &kernel.fields[*field].name;
             if *later {
                 let message = format!("`{name}` on a field is not available in this version");
-                diagnostics.error(Code::UnavailableMethod, at, message);
+                let error = diagnostics.error(Code::UnavailableMethod, at, message);
+                if !name.ends_with("_unchecked") {
+                    error
+                        .note("a field of this version has all of its elements, always")
+                        .help("give the record a member that says whether an element is in use, and test that");
+                }
             } else {
                 diagnostics
                     .error(Code::FieldMethod, at, format!("`{field}.{name}` cannot be called inside a parallel loop"))
@@ -102,7 +109,10 @@ fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// The name behind `&` and `&mut`.
+/// The name behind `&`, `&mut` and `*`.
 fn bare(text: &str) -> &str {
-    text.trim_start_matches(['&', '*']).trim_start_matches("mut ")
+    match text.trim_start_matches(['&', '*', ' ']) {
+        inner if inner.len() == text.len() => text.strip_prefix("mut ").map_or(text, bare),
+        inner => bare(inner),
+    }
 }

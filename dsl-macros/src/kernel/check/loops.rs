@@ -79,15 +79,18 @@ pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
                 .error(Code::UnrollForm, at, format!("`unroll!` goes over {count}, which `{text}` does not fit"))
                 .help(format!("write {cure}"));
         }
-        What::UnrollAxes => {
+        What::UnrollEscape { how } => {
             diagnostics
-                .error(Code::UnrollForm, at, "`unroll!` over all axes of a type is not available in this version")
-                .help("write one range for each axis: `unroll!(0..3, 0..3)`");
+                .error(Code::UnrollForm, at, format!("`{how}` cannot leave a loop over `unroll!(X, ..)`"))
+                .note("how many axes there are is not known before the kernel is used, so that the body stands in a closure")
+                .help("`continue` goes on to the next index; keep a flag to skip the rest, or name the axes: `unroll!(0..3, 0..3)`");
         }
         What::HeadArguments { name } => {
+            let counts = !text.is_empty() && !text.contains(['.', '(', '[', '{']);
+            let ranges = if counts { format!("0..{}", text.replace(", ", ", 0..")) } else { "0..3, 0..3".to_owned() };
             diagnostics
                 .error(Code::HeadMacro, at, format!("`{name}!` takes ranges"))
-                .help(format!("write `{name}!(0..3, 0..3)`"));
+                .help(format!("write `{name}!({ranges})`"));
         }
         What::HeadMacro { name } => {
             diagnostics
@@ -108,8 +111,14 @@ fn head(finding: &Finding, upon: &Upon, diagnostics: &mut Diagnostics) {
     );
     match upon {
         Upon::Range => error.help("loop over the range itself and compute the index inside"),
+        Upon::Part => error.help(
+            "a part takes what stands in its parentheses, and a colour comes last: `u.interior(1).checkerboard(0)`",
+        ),
         Upon::Field(name) => error.help(format!("to loop over the field, write `for .. in {name}`")),
-        Upon::Other => error.help("a parameter is a field when its type is `&Field<..>` or `&mut Field<..>`"),
+        Upon::Name => error
+            .help(format!("if it is a number, write `0..{text}`"))
+            .help("if it is a field, write its parameter's type as `&Field<..>` or `&mut Field<..>`"),
+        Upon::Other => error.help("to use each of some values, loop over a range and look them up inside: `ids[k]`"),
     };
     error.help("to run over any iterator on one thread, write `#[serial]` before the loop");
 }

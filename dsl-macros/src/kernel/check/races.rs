@@ -9,7 +9,8 @@ use crate::kernel::model::{Access, Head, Kernel, Loop, Op, Place};
 
 pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
     for (number, found) in kernel.loops.iter().enumerate() {
-        if matches!(found.head, Head::Invalid) {
+        // What an index means is unknown where the head is wrong, or names more or fewer axes than there are.
+        if matches!(found.head, Head::Invalid) || miscounted(kernel, found) {
             continue;
         }
         let clashes = clashes(kernel, number);
@@ -21,6 +22,12 @@ pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
             report(kernel, found, clash, diagnostics);
         }
     }
+}
+
+/// Whether a loop names more or fewer variables than its field has axes, which is told elsewhere.
+fn miscounted(kernel: &Kernel, found: &Loop) -> bool {
+    let rank = found.head.field().and_then(|field| kernel.fields[field].rank);
+    found.tuple && rank.is_some_and(|rank| rank != found.variables.len())
 }
 
 /// Whether a loop was meant to take its turns one after another: a range whose variable is in no index, around other loops.
@@ -121,7 +128,7 @@ fn report(kernel: &Kernel, found: &Loop, clash: &Clash, diagnostics: &mut Diagno
             diagnostics
                 .error(Code::OwnPlaces, &access.spot.tokens, format!("`{target}` and `{}` have the loop's variables in different places", other.target.text()))
                 .note(format!("{}: two iterations could meet in one element", other_half(other)))
-                .help("use one order of the variables for all accesses to a member that the loop writes, or write to another field");
+                .help("use one order of the variables for all accesses to a member that the loop writes; or make two loops of it, or write to another field");
         }
     }
 }
@@ -142,13 +149,41 @@ fn scatter(found: &Loop, access: &Access, diagnostics: &mut Diagnostics) {
                 .help("write at the own index, and move the indices that are read instead");
         }
         _ => {
+            error.note(format!(
+                "{}, and which comes last depends on the threads; the own index is `{own}`",
+                meeting(found, access)
+            ));
+            if only_variables(found, access) {
+                error.help(format!("index by `{own}` as it stands, whatever its type: what is made of it may be the same for two iterations"));
+            }
             error
-                .note(format!("{}, and which comes last depends on the threads; the own index is `{own}`", meeting(found, access)))
                 .help("turn the loop round so that it gathers: loop over the field that is written, and compute where to read")
                 .help("to add up what meets in one element, accumulate: `+=`, `min_assign`, `max_assign`, `|=`")
                 .help("or write `#[serial]` before the loop to run it on one thread");
         }
     }
+}
+
+/// Whether an index is made of the loop's variables alone, by casts or by taking their components: `(ij.x, ij.y)`, `i as i32`.
+fn only_variables(found: &Loop, access: &Access) -> bool {
+    fn plain(tokens: TokenStream) -> bool {
+        tokens.into_iter().all(|token| match token {
+            TokenTree::Ident(_) => true,
+            TokenTree::Punct(punct) => matches!(punct.as_char(), '.' | ','),
+            TokenTree::Group(group) => plain(group.stream()),
+            TokenTree::Literal(_) => false,
+        })
+    }
+    let known = |name: &Ident| {
+        let word = name.to_string();
+        found.variables.contains(&Some(name.clone()))
+            || ["as", "x", "y", "z", "w", "usize", "isize"].contains(&word.as_str())
+            || word.strip_prefix(['i', 'u']).is_some_and(|bits| ["8", "16", "32", "64", "128"].contains(&bits))
+    };
+    let index = access.index.to_token_stream();
+    let names = identifiers(index.clone());
+    let all = found.variables.iter().flatten().all(|variable| names.contains(variable));
+    all && !names.is_empty() && plain(index) && names.iter().all(known)
 }
 
 /// Which iterations write one element.

@@ -2,6 +2,7 @@
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
+use syn::spanned::Spanned;
 use syn::{BinOp, Expr};
 
 use super::launch::Launch;
@@ -23,6 +24,10 @@ pub(super) fn unroll(rewrite: &Rewrite<'_>, node: usize, repeat: &Unroll) -> Tok
     let checks = bases.iter().map(|base| {
         let handle = handle(&launch.kernel.fields[base.field]);
         let at = rewrite.expr(&base.base);
+        if repeat.axes.is_some() {
+            let (low, high) = (literal(base.low[0], "i64"), literal(base.high[0], "i64"));
+            return quote!(#handle.based_all(#at, #low, #high));
+        }
         let (low, high) = (array(&base.low), array(&base.high));
         quote!(#handle.based(#at, #low, #high))
     });
@@ -59,13 +64,32 @@ fn values(ranges: &[(i32, i32)]) -> Vec<Vec<i32>> {
     all
 }
 
+/// The body in a closure, called for all indices over some axes.
+fn over_axes(rewrite: &Rewrite<'_>, node: usize, repeat: &Unroll, axes: &syn::Path, method: &str) -> TokenStream {
+    let (body, (start, end)) = (rewrite.statements(&repeat.body), repeat.ranges[0]);
+    let step = repeat.continues.then(|| label(&format!("step{node}"))).map(|label| quote!(#label:));
+    let (index, method) = (name(&repeat.variables[0]), Ident::new(method, axes.span()));
+    let length = Literal::u32_unsuffixed(end.saturating_sub(start).max(0).unsigned_abs());
+    let low = literal(start, "i32");
+    quote! {
+        <#axes as ::allotrope::spatial::Spatial>::#method::<#length>(
+            #low,
+            #[inline(always)]
+            |#index| #step { #body },
+        );
+    }
+}
+
 /// The body once for each value.
 fn copies(rewrite: &Rewrite<'_>, node: usize, repeat: &Unroll) -> TokenStream {
+    if let Some(axes) = &repeat.axes {
+        return over_axes(rewrite, node, repeat, axes, "unrolled");
+    }
     let body = rewrite.statements(&repeat.body);
     let step = repeat.continues.then(|| label(&format!("step{node}"))).map(|label| quote!(#label:));
     let names: Vec<_> = repeat.variables.iter().map(name).collect();
     let copies = values(&repeat.ranges).into_iter().map(|values| {
-        let values = values.into_iter().map(literal);
+        let values = values.into_iter().map(|value| literal(value, "i32"));
         quote! { #step { #[allow(unused_variables)] let (#(#names,)*) = (#(#values,)*); #body } }
     });
     let whole = repeat.breaks.then(|| label(&format!("unrolled{node}"))).map(|label| quote!(#label:));
@@ -74,11 +98,14 @@ fn copies(rewrite: &Rewrite<'_>, node: usize, repeat: &Unroll) -> TokenStream {
 
 /// The body once, in loops.
 fn rolled(rewrite: &Rewrite<'_>, node: usize, repeat: &Unroll) -> TokenStream {
+    if let Some(axes) = &repeat.axes {
+        return over_axes(rewrite, node, repeat, axes, "rolled");
+    }
     let body = rewrite.statements(&repeat.body);
     let step = repeat.continues.then(|| label(&format!("step{node}"))).map(|label| quote!(#label:));
     let mut loops = quote!(#step { #body });
     for (variable, (start, end)) in repeat.variables.iter().zip(&repeat.ranges).rev() {
-        let (name, start, end) = (name(variable), literal(*start), literal(*end));
+        let (name, start, end) = (name(variable), literal(*start, "i32"), literal(*end, "i32"));
         loops = quote!(for #name in #start..#end { #loops });
     }
     let whole = repeat.breaks.then(|| label(&format!("unrolled{node}"))).map(|label| quote!(#label:));
@@ -89,10 +116,10 @@ fn name(name: &Option<Ident>) -> TokenStream {
     name.as_ref().map_or_else(|| quote!(_), |name| quote!(#name))
 }
 
-fn literal(value: i32) -> TokenStream {
+fn literal(value: i32, kind: &str) -> TokenStream {
     let size = Literal::u32_unsuffixed(value.unsigned_abs());
     let sign = (value < 0).then(|| quote!(-));
-    let size: TokenStream = format!("{size}i32").parse().unwrap_or_default();
+    let size: TokenStream = format!("{size}{kind}").parse().unwrap_or_default();
     quote!(#sign #size)
 }
 
@@ -134,7 +161,7 @@ fn bases(launch: &Launch<'_>, repeat: &Unroll) -> Vec<Base> {
         let Some((base, offset)) = split(launch, repeat, &access.index) else { continue };
         let Some(reach) = reach(repeat, &offset) else { continue };
         // `base + 1` with a vector adds to each part: as many parts as axes are needed.
-        if launch.kernel.fields[access.field].rank != Some(reach.len()) {
+        if repeat.axes.is_none() && launch.kernel.fields[access.field].rank != Some(reach.len()) {
             continue;
         }
         let (low, high): (Vec<i32>, Vec<i32>) = reach.into_iter().unzip();

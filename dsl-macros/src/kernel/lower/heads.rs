@@ -14,6 +14,9 @@ use crate::kernel::text::text;
 /// Heads that the language knows and this version lacks.
 const LATER_HEADS: &[&str] = &["row"];
 
+/// The methods of fields that name a part of them.
+const PARTS: &[&str] = &["interior", "border", "checkerboard", "colored"];
+
 impl Lower {
     /// The head of a parallel loop; what is in no list is a finding.
     pub(super) fn parallel_head(&mut self, expr: &mut Expr) -> Head {
@@ -103,7 +106,12 @@ impl Lower {
     fn upon(&self, expr: &Expr) -> Upon {
         match bare(expr) {
             Expr::Range(_) => Upon::Range,
-            Expr::MethodCall(call) => self.upon(&call.receiver),
+            Expr::MethodCall(call) => match self.upon(&call.receiver) {
+                Upon::Field(_) if PARTS.contains(&call.method.to_string().as_str()) => Upon::Part,
+                Upon::Name => Upon::Other,
+                upon => upon,
+            },
+            Expr::Path(_) if self.base(expr).is_none() => Upon::Name,
             other => match self.borrowed_base(other) {
                 Some(base) => Upon::Field(self.kernel.fields[base.field].name.to_string()),
                 None => Upon::Other,
@@ -162,14 +170,17 @@ impl Lower {
     }
 
     /// The constant ranges of `unroll!`.
-    pub(super) fn unroll_ranges(&mut self, tokens: TokenStream) -> Option<Vec<(i32, i32)>> {
-        let Some(list) = arguments(tokens.clone()).filter(|list| !list.is_empty()) else {
+    pub(super) fn unroll_ranges(&mut self, tokens: TokenStream) -> Option<Unrolled> {
+        let Some(mut list) = arguments(tokens.clone()).filter(|list| !list.is_empty()) else {
             self.find(What::HeadArguments { name: "unroll".to_owned() }, &tokens);
             return None;
         };
-        if list.len() == 2 && matches!(bare(&list[0]), Expr::Path(_)) && matches!(bare(&list[1]), Expr::Range(_)) {
-            self.find(What::UnrollAxes, &tokens);
-            return None;
+        let axes = match bare(&list[0]) {
+            Expr::Path(path) if list.len() == 2 && is_type(&path.path) => Some(path.path.clone()),
+            _ => None,
+        };
+        if axes.is_some() {
+            list.remove(0);
         }
         let mut ranges = Vec::new();
         for range in &list {
@@ -192,8 +203,20 @@ impl Lower {
                 }
             }
         }
-        Some(ranges)
+        Some(Unrolled { axes, ranges })
     }
+}
+
+/// What `unroll!` runs over.
+pub(super) struct Unrolled {
+    /// The type over all of whose axes the one range runs.
+    pub(super) axes: Option<syn::Path>,
+    pub(super) ranges: Vec<(i32, i32)>,
+}
+
+/// Whether a path is named as types are.
+fn is_type(path: &syn::Path) -> bool {
+    path.segments.last().is_some_and(|last| last.ident.to_string().starts_with(char::is_uppercase))
 }
 
 /// Expressions separated by commas.

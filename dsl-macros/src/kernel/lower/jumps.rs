@@ -12,7 +12,12 @@ pub(super) enum Target {
     /// The parallel loop of that number.
     Parallel { number: usize, label: Option<Lifetime> },
     /// An unrolled loop, by its node.
-    Unroll { node: usize, label: Option<Lifetime> },
+    Unroll {
+        node: usize,
+        label: Option<Lifetime>,
+        /// Whether the body stands in a closure, which jumps cannot leave.
+        closed: bool,
+    },
     /// Any other loop.
     Plain(Option<Lifetime>),
     /// A block, with a label or without.
@@ -41,11 +46,13 @@ enum Found {
     Unroll(usize),
     /// Past the parallel loop.
     Outside,
+    /// Out of an unrolled loop whose body stands in a closure.
+    Closed,
 }
 
 impl Lower {
     fn destination(&self, label: Option<&Lifetime>) -> Found {
-        let mut passed = false;
+        let (mut passed, mut closed) = (false, false);
         for target in self.targets.iter().rev() {
             let matches = match label {
                 Some(label) => target.label() == Some(label),
@@ -53,9 +60,11 @@ impl Lower {
             };
             match target {
                 Target::Closure => return Found::Inside,
+                _ if matches && closed => return Found::Closed,
                 Target::Parallel { number, .. } if matches && !passed => return Found::Parallel(*number),
                 Target::Parallel { .. } => passed = true,
                 Target::Unroll { node, .. } if matches && !passed => return Found::Unroll(*node),
+                Target::Unroll { closed: true, .. } => closed = true,
                 _ if matches => return if passed { Found::Outside } else { Found::Inside },
                 _ => {}
             }
@@ -67,6 +76,17 @@ impl Lower {
     fn leaves(&self) -> bool {
         let inner = self.targets.iter().rev().find(|t| matches!(t, Target::Closure | Target::Parallel { .. }));
         matches!(inner, Some(Target::Parallel { .. }))
+    }
+
+    /// Whether `return` here would leave an unrolled loop whose body stands in a closure, and no parallel loop.
+    fn leaves_unrolled(&self) -> bool {
+        let closed = |target: &&Target| matches!(target, Target::Closure | Target::Unroll { closed: true, .. });
+        matches!(self.targets.iter().rev().find(closed), Some(Target::Unroll { .. })) && !self.leaves()
+    }
+
+    /// Whether the body of an unrolled loop stands in a closure.
+    fn closed(&self, node: usize) -> bool {
+        matches!(&self.kernel.nodes[node], Node::Unroll(unroll) if unroll.axes.is_some())
     }
 
     pub(super) fn visit_jump(&mut self, expr: &mut Expr) {
@@ -86,10 +106,13 @@ impl Lower {
                     *expr = self.node(Node::Jump(Jump::Step(node)), span);
                 }
                 Found::Outside => self.find(What::Escape { how: "continue" }, expr),
+                Found::Closed => self.find(What::UnrollEscape { how: "continue" }, expr),
             },
             Expr::Break(jump) => match self.destination(jump.label.as_ref()) {
                 Found::Inside => {}
                 Found::Parallel(_) | Found::Outside => self.find(What::Escape { how: "break" }, expr),
+                Found::Closed => self.find(What::UnrollEscape { how: "break" }, expr),
+                Found::Unroll(node) if self.closed(node) => self.find(What::UnrollEscape { how: "break" }, expr),
                 Found::Unroll(node) => {
                     if let Node::Unroll(unroll) = &mut self.kernel.nodes[node] {
                         unroll.breaks = true;
@@ -97,6 +120,11 @@ impl Lower {
                     *expr = self.node(Node::Jump(Jump::Leave(node)), span);
                 }
             },
+            Expr::Return(_) if self.leaves_unrolled() => self.find(What::UnrollEscape { how: "return" }, expr),
+            Expr::Try(attempt) if self.leaves_unrolled() => {
+                let mark = attempt.question_token;
+                self.find(What::UnrollEscape { how: "?" }, &mark);
+            }
             Expr::Return(_) if self.leaves() => self.find(What::Escape { how: "return" }, expr),
             Expr::Try(attempt) if self.leaves() => {
                 let mark = attempt.question_token;

@@ -7,7 +7,7 @@ use syn::spanned::Spanned;
 use syn::visit_mut::VisitMut;
 use syn::{Attribute, Block, Expr, ExprForLoop, Ident, Label, Meta, Pat, Stmt};
 
-use super::heads;
+use super::heads::{self, Unrolled};
 use super::jumps::Target;
 use super::scope::Kind;
 use super::{Lower, Mode};
@@ -209,24 +209,23 @@ impl Lower {
     fn unroll(&mut self, expr: &mut Expr, tokens: proc_macro2::TokenStream) {
         let Expr::ForLoop(repeat) = &mut *expr else { return };
         let ranges = self.unroll_ranges(tokens);
-        let variables = match (plain_names(&repeat.pat), &ranges) {
-            (Some((names, _)), Some(ranges)) if names.len() == ranges.len() => names,
-            (_, Some(ranges)) => {
-                let ranges = ranges.len();
-                self.find(What::UnrollPattern { ranges }, &repeat.pat);
-                return;
-            }
-            (_, None) => return,
+        let Some(Unrolled { axes, ranges }) = ranges else { return };
+        let variables = match plain_names(&repeat.pat) {
+            Some((names, tuple)) if names.len() == ranges.len() && !(tuple && axes.is_some()) => names,
+            _ => return self.find(What::UnrollPattern { ranges: ranges.len() }, &repeat.pat),
         };
-        let Some(ranges) = ranges else { return };
-        self.note_unrolled(&ranges, repeat.expr.span());
+        // As many as in space, if it is over all axes.
+        let counted = if axes.is_some() { vec![ranges[0]; 3] } else { ranges.clone() };
+        self.note_unrolled(&counted, repeat.expr.span());
         let span = repeat.for_token.span;
         let parallel = self.parallel();
         let body = mem::replace(&mut repeat.body, Block { brace_token: Default::default(), stmts: Vec::new() });
+        let unroll_axes = axes.is_some();
         let unroll = Unroll {
             label: repeat.label.clone(),
             variables,
             ranges,
+            axes,
             body,
             breaks: false,
             continues: false,
@@ -240,7 +239,8 @@ impl Lower {
         let pat = repeat.pat.clone();
         *expr = self.node(Node::Unroll(unroll), span);
         let node = self.kernel.nodes.len() - 1;
-        self.targets.push(Target::Unroll { node, label });
+        let closed = unroll_axes;
+        self.targets.push(Target::Unroll { node, label, closed });
         if let Some(number) = parallel {
             self.kernel.loops[number].loops = true;
         }

@@ -132,12 +132,32 @@ fn jumps_inside_are_plain() {
 }
 
 #[test]
+fn jumps_cannot_leave_a_loop_over_unknown_axes() {
+    body(
+        "for a in p { for o in unroll!(X, 0..3) { if x { continue; } for k in 0..2 { break; } loop { break; } } }",
+        &[],
+    );
+    body("for a in p { 'o: for o in unroll!(X, 0..3) { for k in 0..2 { continue 'o; } } }", &[]);
+    body("for a in p { for o in unroll!(X, 0..3) { break; } }", &["A0117"]);
+    body("'a: for a in p { for o in unroll!(X, 0..3) { continue 'a; } }", &["A0117"]);
+    body("for a in p { 'k: for k in 0..2 { for o in unroll!(X, 0..3) { break 'k; } } }", &["A0117"]);
+    body("for a in p { 'k: for k in unroll!(0..2) { for o in unroll!(X, 0..3) { continue 'k; } } }", &["A0117"]);
+    body("for a in p { for o in unroll!(X, 0..3) { return; } }", &["A0116"]);
+    body(
+        "#[serial] for a in p { for o in unroll!(X, 0..3) { return; } for o in unroll!(X, 0..3) { f()?; } }",
+        &["A0117"; 2],
+    );
+    body("let f = || { for o in unroll!(X, 0..3) { let g = || { return 3; }; } return 4; };", &[]);
+}
+
+#[test]
 fn unroll_takes_literals() {
     body("for a in p { for b in unroll!(0..n) {} }", &["A0117"]);
     body("for a in p { for b in unroll!(N) {} }", &["A0118"]);
     body("for a in p { for b in unroll!(0..3, 0..3) {} }", &["A0117"]);
     body("for a in p { for (b, mut c) in unroll!(0..3, 0..3) {} }", &["A0117"]);
-    body("for a in p { for b in unroll!(X, 0..3) {} }", &["A0117"]);
+    body("for a in p { for b in unroll!(x, 0..3) {} }", &["A0118"]);
+    body("for a in p { for (b, c) in unroll!(X, 0..3) {} }", &["A0117"]);
     body("for a in p { for b in unroll!() {} }", &["A0118"]);
     body("for a in p { let b = unroll!(0..3); }", &["A0118"]);
     body("for i in ndrange!(n) {}", &["A0118"]);

@@ -15,12 +15,4 @@ fn scatter(points: &Field<Node, _>, grid: &mut Field<Node, _>, at: &Field<u32, _
     }
 }
 
-#[kernel]
-fn own(grid: &mut Field<Node, _>, at: &Field<u32, _>) {
-    for p in grid {
-        let m = grid.m[p];
-        grid.m[at[p]] += m;
-    }
-}
-
 fn main() {}

@@ -11,9 +11,8 @@ struct Node {
 fn wrong(grid: &mut Field<Node, _, Ij>) {
     for ij in grid {
         grid.mass[ij] = 1.0; //~ E0609
-        grid.m[ij] = grid.vel[ij].x; //~ E0609
+        grid.m[ij] = 2.0;
     }
-    grid.mas[(0, 0)] = 1.0; //~ E0609
 }
 
 fn main() {}

@@ -1,0 +1,13 @@
+//! The ranges of `unroll!` have both ends.
+use allotrope::prelude::*;
+
+#[kernel]
+fn add(u: &mut Field<f32, _>) {
+    for p in u {
+        for i in unroll!(0..) {
+            u[p] += i as f32;
+        }
+    }
+}
+
+fn main() {}

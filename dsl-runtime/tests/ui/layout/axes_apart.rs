@@ -1,0 +1,6 @@
+//! The axes of a node are one word.
+use allotrope::prelude::*;
+
+type Grid = layout!(dense(i, j).aos);
+
+fn main() {}

@@ -1,0 +1,6 @@
+//! A node splits an axis once.
+use allotrope::prelude::*;
+
+type Grid = layout!(dense(iji).aos);
+
+fn main() {}

@@ -1,0 +1,12 @@
+//! A group places something.
+use allotrope::prelude::*;
+
+#[derive(Record, Clone, Copy)]
+struct Node {
+    v: Vec2,
+    m: f32,
+}
+
+type Grid = layout!(Node: dense(ij).place([v, m], []));
+
+fn main() {}

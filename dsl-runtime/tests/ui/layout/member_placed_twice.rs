@@ -1,0 +1,12 @@
+//! A member lies in one place.
+use allotrope::prelude::*;
+
+#[derive(Record, Clone, Copy)]
+struct Node {
+    v: Vec2,
+    m: f32,
+}
+
+type Grid = layout!(Node: dense(ij).place([v, m], [split(m)]));
+
+fn main() {}

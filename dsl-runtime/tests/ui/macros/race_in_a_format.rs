@@ -1,0 +1,12 @@
+//! Macros of the standard library are read as expressions.
+use allotrope::prelude::*;
+
+#[kernel]
+fn show(u: &mut Field<f32, _>) {
+    for p in u {
+        u[p] = 1.0;
+        println!("{p}: {}", u[p + 1]);
+    }
+}
+
+fn main() {}

@@ -1,0 +1,12 @@
+//! A loop variable means one thing in its loop.
+use allotrope::prelude::*;
+
+#[kernel]
+fn fill(u: &mut Field<f32, _>, near: Option<i32>) {
+    for p in u {
+        let Some(p) = near else { continue };
+        u[p] = 1.0;
+    }
+}
+
+fn main() {}

@@ -1,0 +1,16 @@
+//! A reduction is not read in its loop.
+use allotrope::prelude::*;
+
+#[kernel]
+fn limited(u: &Field<f32, _>) -> f32 {
+    let mut total = 0.0;
+    for p in u {
+        total += u[p];
+        if total > 3.0 {
+            continue;
+        }
+    }
+    total
+}
+
+fn main() {}

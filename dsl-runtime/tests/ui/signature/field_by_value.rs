@@ -1,0 +1,7 @@
+//! A kernel borrows its fields.
+use allotrope::prelude::*;
+
+#[kernel]
+fn consume(u: Field<f32, _>) {}
+
+fn main() {}

@@ -1,0 +1,7 @@
+//! The options of kernels are a closed list.
+use allotrope::prelude::*;
+
+#[kernel(fast)]
+fn fill(u: &mut Field<f32, _>) {}
+
+fn main() {}

@@ -1,0 +1,9 @@
+//! A record holds values.
+use allotrope::prelude::*;
+
+#[derive(Record, Clone, Copy)]
+struct Point {
+    name: &'static str, //~ E0277
+}
+
+fn main() {}
