@@ -215,6 +215,9 @@
 //!
 //! With `deterministic` these results too are the same bits for any number of threads; `Atomic` is refused then.
 //!
+//! A schedule has no switch that flushes denormal numbers to zero: Rust takes the processor's floating-point mode to be the default one, so that
+//! changing it around Rust code is undefined behaviour even where it is put back. [`Real::flushed`] does it where it is called.
+//!
 //! | environment variable | sets |
 //! | --- | --- |
 //! | `ALLOTROPE_THREADS` | the number of threads, where the schedule does not; else all that the machine has |

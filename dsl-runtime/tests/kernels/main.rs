@@ -11,6 +11,7 @@ mod large;
 mod loops;
 mod members;
 mod mpm;
+mod nested;
 mod order;
 mod panics;
 mod parts;
