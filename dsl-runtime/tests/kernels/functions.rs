@@ -77,7 +77,7 @@ fn kinds(grid: &mut Field<Node, _, Ij>, u: &Member<f32, _, Ij>, weights: &[f32])
     for ij in grid {
         grid.v[ij].x += bilinear(grid.m, ij.as_vec2());
     }
-    total + bilinear(grid.m, vec2(1.5, 2.5)) + bilinear(&*u, Vec2::ONE)
+    total + bilinear(grid.m, vec2(1.5, 2.5)) + bilinear(u, Vec2::ONE)
 }
 
 /// An ordinary generic function takes what is handed to it as well.

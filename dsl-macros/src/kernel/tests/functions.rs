@@ -11,8 +11,7 @@ fn expansion(source: &str) -> String {
 #[track_caller]
 fn codes(source: &str, expected: &[&str]) {
     let text = expansion(source);
-    let mut found: Vec<(usize, &str)> =
-        Code::ALL.iter().flat_map(|code| text.match_indices(code.text()).map(|(place, text)| (place, text))).collect();
+    let mut found: Vec<(usize, &str)> = Code::ALL.iter().flat_map(|code| text.match_indices(code.text())).collect();
     found.sort_unstable();
     let found: Vec<&str> = found.into_iter().map(|(_, code)| code).collect();
     assert_eq!(found, expected, "{text}");
