@@ -104,7 +104,7 @@
 //! | --- | --- |
 //! | `&Field<R, _, X>`, `&mut Field<R, _, X>` | a field: `_` stands for any layout, a named layout pins it, a type parameter `L` relates several |
 //! | `&Member<T, _, X>`, `&mut Member<T, _, X>` | values `T` of any record: called with `&grid.members().mass`, `&mut grid.members_mut().mass`, or a bare field (see [`AnyMember`]). Members of one record may be handed in together |
-//! | `&[T]`, `&mut [T]` | a slice, which is a field over one axis where a loop runs over it or writes it, and an ordinary value elsewhere |
+//! | `&[T]`, `&mut [T]` | a slice, which is a field over one axis where a loop runs over it, writes it, or indexes it by the variables of a field's loop, and an ordinary value elsewhere |
 //! | `#[field] grid: &mut Grid` | a field whose type has another name |
 //! | anything else | an ordinary Rust value |
 //!
