@@ -71,6 +71,8 @@ codes! {
     OpaqueMacro = A0121,
     /// A macro defined in a parallel loop that mentions such a name.
     MacroDefinition = A0122,
+    /// A member of a `#[func]` that is not taken as `Read<T, _, X>`.
+    FuncMember = A0123,
     /// A member written at an iteration's own index and read at another.
     InPlaceStencil = A0201,
     /// A member written at an index that several iterations may share.

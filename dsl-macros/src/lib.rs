@@ -1,4 +1,4 @@
-//! The procedural macros of Allotrope: `#[derive(Record)]`, `#[derive(Element)]`, `layout!` and `#[kernel]`.
+//! The procedural macros of Allotrope: `#[derive(Record)]`, `#[derive(Element)]`, `layout!`, `#[kernel]` and `#[func]`.
 //!
 //! Users take them from the crate `allotrope`, which documents the language. Each entry point here is one line around a
 //! function over `proc_macro2` tokens, so that all logic is tested without a compiler: tokens are parsed, made into a model of what
@@ -33,6 +33,12 @@ pub fn derive_element(input: TokenStream) -> TokenStream {
 #[proc_macro]
 pub fn layout(input: TokenStream) -> TokenStream {
     layout::expand(input.into()).into()
+}
+
+/// A function that kernels call, which may read members that are handed to it.
+#[proc_macro_attribute]
+pub fn func(options: TokenStream, item: TokenStream) -> TokenStream {
+    kernel::func::expand(options.into(), item.into()).into()
 }
 
 /// A function over fields, whose outermost loops run in parallel.

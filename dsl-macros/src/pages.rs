@@ -81,13 +81,13 @@ impl<'ast> Visit<'ast> for Expansions {
     }
 }
 
-/// The kernels of an example: functions, methods and what else bears `#[kernel]`, with its options.
-fn kernels(example: &str) -> Vec<(TokenStream, TokenStream)> {
-    struct Found(Vec<(TokenStream, TokenStream)>);
+/// What bears an attribute in an example, `kernel` or `func`, with its options: functions, methods and what else there is.
+fn marked(example: &str, word: &'static str) -> Vec<(TokenStream, TokenStream)> {
+    struct Found(Vec<(TokenStream, TokenStream)>, &'static str);
     impl Found {
         /// Takes the attribute off an item that bears it.
         fn take(&mut self, attributes: &mut Vec<Attribute>) -> Option<TokenStream> {
-            let place = attributes.iter().position(|attribute| attribute.path().is_ident("kernel"))?;
+            let place = attributes.iter().position(|attribute| attribute.path().is_ident(self.1))?;
             Some(match attributes.remove(place).meta {
                 Meta::List(list) => list.tokens,
                 Meta::Path(_) | Meta::NameValue(_) => TokenStream::new(),
@@ -116,7 +116,7 @@ fn kernels(example: &str) -> Vec<(TokenStream, TokenStream)> {
             self.item(&item.attrs, |attrs| syn::ItemStruct { attrs, ..item.clone() }.into_token_stream());
         }
     }
-    let mut found = Found(Vec::new());
+    let mut found = Found(Vec::new(), word);
     found.visit_file(&syn::parse_file(example).expect("the example parses"));
     found.0
 }
@@ -124,8 +124,11 @@ fn kernels(example: &str) -> Vec<(TokenStream, TokenStream)> {
 /// All that the macros make of an example.
 fn expanded(example: &str) -> String {
     let mut text = Expansions::of(example);
-    for (options, item) in kernels(example) {
+    for (options, item) in marked(example, "kernel") {
         text.push_str(&kernel::expand(options, item).to_string());
+    }
+    for (options, item) in marked(example, "func") {
+        text.push_str(&kernel::func::expand(options, item).to_string());
     }
     text
 }

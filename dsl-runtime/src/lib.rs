@@ -104,7 +104,7 @@
 //! | --- | --- |
 //! | `&Field<R, _, X>`, `&mut Field<R, _, X>` | a field: `_` stands for any layout, a named layout pins it, a type parameter `L` relates several |
 //! | `&Member<T, _, X>`, `&mut Member<T, _, X>` | values `T` of any record: called with `&grid.members().mass`, `&mut grid.members_mut().mass`, or a bare field (see [`AnyMember`]). Members of one record may be handed in together |
-//! | `&[T]`, `&mut [T]` | a slice, which is a field over one axis where a loop runs over it or writes it, and an ordinary value elsewhere |
+//! | `&[T]`, `&mut [T]` | a slice, which is a field over one axis where a loop runs over it, writes it, or indexes it by the variables of a field's loop, and an ordinary value elsewhere |
 //! | `#[field] grid: &mut Grid` | a field whose type has another name |
 //! | anything else | an ordinary Rust value |
 //!
@@ -113,6 +113,10 @@
 //! With `T: Real` (see [`Real`]) one kernel serves `f32` and `f64`; records, elements, axes, layouts and constants may be type parameters too, and
 //! `_` leaves the turbofish to them.
 //! [`spatial`] does the same for plane and space.
+//!
+//! Any Rust function may be called on values. One that is marked [`#[func]`](macro@func) may also read members: it takes them as `Read<T, _, X>` and
+//! indexes them, and in a loop that does not change them they are handed on as they are, `bilinear(grid.density, x)`, or `bilinear(u, x)` for a bare field
+//! (see [`Readable`]).
 //!
 //! | loop head | runs over |
 //! | --- | --- |
@@ -211,6 +215,9 @@
 //!
 //! With `deterministic` these results too are the same bits for any number of threads; `Atomic` is refused then.
 //!
+//! A schedule has no switch that flushes denormal numbers to zero: Rust takes the processor's floating-point mode to be the default one, so that
+//! changing it around Rust code is undefined behaviour even where it is put back. [`Real::flushed`] does it where it is called.
+//!
 //! | environment variable | sets |
 //! | --- | --- |
 //! | `ALLOTROPE_THREADS` | the number of threads, where the schedule does not; else all that the machine has |
@@ -250,7 +257,7 @@ mod view;
 pub mod __private;
 pub mod prelude;
 
-pub use allotrope_macros::{Element, Record, kernel, layout};
+pub use allotrope_macros::{Element, Record, func, kernel, layout};
 pub use axes::{Axes, I, Ij, Ijk, Ijkl, O, Shape};
 pub use element::{Element, Scalar};
 pub use enumeration::{Enumeration, Representation};
@@ -265,6 +272,7 @@ pub use random::{Random, RandomKey, random};
 pub use real::Real;
 pub use record::{MAX_MEMBERS, Record};
 pub use schedule::{MAX_THREADS, Scatter, Schedule};
+pub use view::Readable;
 
 /// The examples of the README, compiled and run as documentation tests.
 #[cfg(doctest)]

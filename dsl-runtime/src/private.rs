@@ -19,5 +19,6 @@ pub use crate::unchecked::Unchecked;
 
 pub use crate::serial::{
     NotAnAccess, border, byte_offset, clamped, cold, get_unchecked, index_tuples, indices, interior_indices,
-    interior_tuples, locate, max, min, ndrange, or, path, read, read_at, set_unchecked, tags, wrapped, write, write_at,
+    interior_tuples, lend, locate, max, min, ndrange, or, path, read, read_at, set_unchecked, tags, wrapped, write,
+    write_at,
 };

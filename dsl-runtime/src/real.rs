@@ -110,6 +110,32 @@ macro_rules! real {
             fn powi(self, power: i32) -> Self;
             /// Sine and cosine.
             fn sin_cos(self) -> (Self, Self);
+
+            /// 0 where the number is denormal, nearer to zero than [`MIN_POSITIVE`](Real::MIN_POSITIVE).
+            ///
+            /// Many processors take a hundred times as long for denormal numbers as for others, and what fades (smoke, waves) comes to be full of
+            /// them. There is no switch for this, as Rust takes floating-point arithmetic to be IEEE's; put to zero what a step leaves behind.
+            ///
+            /// ```
+            /// use allotrope::prelude::*;
+            ///
+            /// #[kernel]
+            /// fn fade(smoke: &mut Field<f32, _, Ij>, by: f32) {
+            ///     for ij in smoke {
+            ///         smoke[ij] = (smoke[ij] * by).flushed();
+            ///     }
+            /// }
+            ///
+            /// let mut smoke = Field::<f32, Soa>::new([8, 8]).with_background(1e-37);
+            /// fade(&mut smoke, 0.5);
+            /// assert_eq!(smoke.get([1, 2]), 1e-37 * 0.5);
+            /// fade(&mut smoke, 0.01);
+            /// assert_eq!(smoke.get([1, 2]), 0.0);
+            /// ```
+            #[inline(always)]
+            fn flushed(self) -> Self {
+                if self.abs() < Self::MIN_POSITIVE { Self::ZERO } else { self }
+            }
         }
 
         real!(@impl f32 (Vec2 Vec3 Mat2 Mat3) [$($constant $path $value,)*] [$($unary)*] [$($binary)*] [$($test)*]);
@@ -188,6 +214,8 @@ real! {
         MAX = own::MAX,
         /// The smallest finite number.
         MIN = own::MIN,
+        /// The smallest positive number of full precision: nearer to zero are the denormal ones.
+        MIN_POSITIVE = own::MIN_POSITIVE,
         /// Infinity.
         INFINITY = own::INFINITY,
         /// Minus infinity.

@@ -11,7 +11,7 @@ use crate::launch::Border;
 use crate::layout::{Layout, Map};
 use crate::number::{Number, zip};
 use crate::record::{Path, Record};
-use crate::view::View;
+use crate::view::{Read, Site, View, shared};
 
 /// Stands for a field's name in the body of a parallel loop, where fields are accessed by index alone.
 #[derive(Clone, Copy, Debug)]
@@ -27,6 +27,16 @@ pub fn tags<S: Source + ?Sized>(_: &S) -> <S::Record as Record>::Tags {
 #[inline(always)]
 pub fn path<S: Source + ?Sized>(_: &S) -> S::Path {
     S::PATH
+}
+
+/// A path of a field to be read by a function that it is handed to.
+#[inline(always)]
+pub fn lend<'a, S: Source + ?Sized, P: Path<S::Record>>(
+    field: &'a S,
+    path: P,
+    site: &'static Site,
+) -> Read<'a, S::Record, S::Layout, S::Axes, P> {
+    shared(field, site).read(path)
 }
 
 /// A checked index.

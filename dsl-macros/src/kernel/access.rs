@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use syn::Ident;
 
-use super::model::{Access, Action, Group, Kernel, Op, Place, Slot};
+use super::model::{Access, Action, Boundary, Group, Kernel, Op, Place, Slot};
 
 /// What an access means for others.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -28,6 +28,11 @@ impl Access {
     /// Whether it changes the field.
     pub(crate) fn changes(&self) -> bool {
         self.usage() != Use::Read
+    }
+
+    /// Whether the member is handed to a function, which has the index.
+    pub(crate) fn is_lent(&self) -> bool {
+        matches!(self.boundary, Boundary::Lent)
     }
 
     /// Whether every iteration has this index for itself.

@@ -3,6 +3,7 @@
 mod access;
 mod check;
 mod expand;
+pub(crate) mod func;
 mod lower;
 mod model;
 mod parse;

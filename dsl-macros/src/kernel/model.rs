@@ -160,6 +160,8 @@ pub(crate) enum Boundary {
     Wrapped,
     /// A value: `f.or(index, value)`.
     Or(Box<Expr>),
+    /// The function that the member is handed to has the index, and the rule.
+    Lent,
 }
 
 /// Where an index lies as seen from an iteration.
@@ -510,7 +512,7 @@ pub(crate) enum What {
     BareField { field: usize },
     /// A field or member bound by `let`.
     Alias,
-    /// A field or member handed to a function inside a parallel loop.
+    /// A field or member borrowed for a function inside a parallel loop.
     Argument { function: String },
     /// A method of a field inside a parallel loop.
     FieldMethod { field: usize, name: String, later: bool },

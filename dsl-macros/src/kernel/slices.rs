@@ -5,14 +5,15 @@ use syn::{Attribute, Block, Expr, Ident};
 
 use super::lower::root;
 use super::model::Projection;
-use super::syntax::{bare, compound, name_of};
+use super::syntax::{bare, compound, name_of, names};
 
 /// Heads over a field that are written as its method.
 const HEADS: &[&str] = &["interior", "border", "checkerboard", "colored"];
 
-/// Whether a parallel loop of the body runs over the slice of that name, changes its elements, or reads it by a boundary rule.
+/// Whether a parallel loop of the body runs over the slice of that name, changes its elements, reads it by a boundary rule, or indexes it
+/// by the variables of a loop over a field: these are no `usize`, so that it could be nothing else.
 pub(super) fn is_field(body: &Block, name: &Ident) -> bool {
-    let mut uses = Uses { name, parallel: false, found: false };
+    let mut uses = Uses { name, parallel: false, variables: Vec::new(), found: false };
     uses.visit_block(body);
     uses.found
 }
@@ -21,6 +22,8 @@ struct Uses<'a> {
     name: &'a Ident,
     /// Whether the present place is inside of a parallel loop.
     parallel: bool,
+    /// The variables of the parallel loop around, if it runs over a field.
+    variables: Vec<Ident>,
     found: bool,
 }
 
@@ -29,6 +32,16 @@ impl Uses<'_> {
         match bare(head) {
             Expr::MethodCall(call) => HEADS.contains(&call.method.to_string().as_str()) && self.is_head(&call.receiver),
             path => name_of(path) == Some(self.name),
+        }
+    }
+
+    /// Whether an index is calculated from a loop variable alone, and so has its type.
+    fn is_of_variable(&self, index: &Expr) -> bool {
+        match bare(index) {
+            Expr::Binary(binary) => self.is_of_variable(&binary.left) || self.is_of_variable(&binary.right),
+            Expr::Unary(unary) => self.is_of_variable(&unary.expr),
+            Expr::Field(part) => self.is_of_variable(&part.base),
+            path => name_of(path).is_some_and(|name| self.variables.contains(name)),
         }
     }
 
@@ -54,7 +67,11 @@ impl Visit<'_> for Uses<'_> {
         }
         self.found |= self.is_head(&repeat.expr);
         self.parallel = true;
+        if matches!(bare(&repeat.expr), Expr::Path(_) | Expr::MethodCall(_)) {
+            names(&repeat.pat, &mut |name, _| self.variables.push(name.clone()));
+        }
         self.visit_block(&repeat.body);
+        self.variables.clear();
         self.parallel = false;
     }
 
@@ -63,6 +80,11 @@ impl Visit<'_> for Uses<'_> {
         if self.parallel {
             visit::visit_expr_closure(self, closure);
         }
+    }
+
+    fn visit_expr_index(&mut self, index: &syn::ExprIndex) {
+        self.found |= name_of(&index.expr) == Some(self.name) && self.is_of_variable(&index.index);
+        visit::visit_expr_index(self, index);
     }
 
     fn visit_expr_assign(&mut self, assign: &syn::ExprAssign) {

@@ -54,6 +54,11 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
         Self { handle, site, start, component, path: PhantomData }
     }
 
+    #[inline(always)]
+    pub(super) fn handle(&self) -> &Handle<'a, R, L, X> {
+        &self.handle
+    }
+
     pub(super) fn site(&self) -> &'static Site {
         self.site
     }

@@ -5,6 +5,7 @@ mod base;
 mod free;
 mod lane;
 mod read;
+mod readable;
 mod row;
 
 use core::fmt;
@@ -15,6 +16,7 @@ pub use base::Based;
 pub(crate) use free::Places;
 pub use free::{Free, Var};
 pub use read::Read;
+pub use readable::Readable;
 pub use row::{Buffer, Held, Own, Row, buffer};
 
 pub use free::OwnFree;

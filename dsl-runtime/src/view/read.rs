@@ -27,6 +27,17 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Read<'a, R, L, X, P> {
         Self(Lane::new(handle, site))
     }
 
+    /// The same for a function that it is handed to.
+    #[inline(always)]
+    pub fn lent(&self) -> Self {
+        *self
+    }
+
+    #[inline(always)]
+    pub(super) fn handle(&self) -> &Handle<'a, R, L, X> {
+        self.0.handle()
+    }
+
     /// The value at an index.
     ///
     /// # Panics

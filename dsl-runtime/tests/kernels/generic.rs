@@ -246,6 +246,11 @@ fn functions_of_real_numbers() {
         assert_eq!((T::ONE + T::EPSILON) - T::ONE, T::EPSILON);
         assert_eq!([T::ONE; 3].into_iter().sum::<T>(), T::from(3.0));
         assert!(random::<T>(1, 2) < T::ONE);
+        let (least, denormal) = (T::MIN_POSITIVE, T::MIN_POSITIVE / T::from(2.0));
+        assert!(denormal > T::ZERO && -denormal < T::ZERO);
+        assert_eq!([denormal, -denormal, -T::ZERO].map(Real::flushed), [T::ZERO; 3]);
+        assert_eq!([least, -least, x, T::INFINITY].map(Real::flushed), [least, -least, x, T::INFINITY]);
+        assert!(T::NAN.flushed().is_nan());
     }
     check::<f32>(1e-6);
     check::<f64>(1e-14);

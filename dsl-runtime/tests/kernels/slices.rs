@@ -26,6 +26,17 @@ fn blur(from: &[Vec2], to: &mut [Vec2]) {
     }
 }
 
+/// Slices that are read at the loop's indices: own, moved, and by a part of one.
+#[kernel]
+fn weigh(u: &mut Field<f32, _, Ij>, rows: &[f32], columns: &[u8]) {
+    for (i, j) in u {
+        u[(i, j)] = rows[i] * f32::from(columns[j + 1]);
+    }
+    for ij in u.interior(1) {
+        u[ij] += rows[ij.x - 1];
+    }
+}
+
 #[kernel]
 fn histogram(values: &Field<f32, _>, bins: &mut [u32], highest: &mut [f32]) {
     for p in values {
@@ -105,6 +116,18 @@ fn neighbours_and_boundary_rules_in_slices() {
     blur(&from, &mut to);
     assert_eq!(to[7], (from[6] + from[7] + from[8]) / 3.0);
     assert_eq!((to[0], to[49]), (vec2(1.0, from[49].y), vec2(48.0, from[48].y)));
+}
+
+#[test]
+fn slices_are_read_at_the_loop_s_indices() {
+    fn run<L: Layout<Ij>>() {
+        let mut u = Field::<f32, L>::new([4, 3]);
+        weigh(&mut u, &[1.0, 2.0, 3.0, 4.0], &[9, 0, 1, 2]);
+        assert_eq!((u.get([3, 2]), u.get([2, 1]), u.get([1, 0])), (8.0, 3.0 + 2.0, 0.0));
+    }
+    run::<Aos>();
+    run::<Blocked<2>>();
+    run::<layout!(dense(ji).aos)>();
 }
 
 /// Copies of a slice that jobs accumulate into are combined into the slice, and into nothing behind or before it.

@@ -45,8 +45,8 @@ fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
         What::Argument { function } => {
             diagnostics
                 .error(Code::HandedOn, at, format!("`{text}` cannot be handed to `{function}` inside a parallel loop"))
-                .note("functions that take members (`#[func]`) are not available in this version")
-                .help(format!("read the values first and hand those on: `{}[..]`", bare(&text)));
+                .note("a function that reads a member takes it by value, as `Read<f32, _>`, and is marked `#[func]`")
+                .help(format!("write `{}`; or read the values first and hand those on: `{0}[..]`", bare(&text)));
         }
         What::FieldMethod { field, name, later } => {
             let field = &kernel.fields[*field].name;

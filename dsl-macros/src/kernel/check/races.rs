@@ -67,9 +67,25 @@ fn other_half(other: &Access) -> String {
     format!("`{}` {done} in line {}", other.target.text(), other.spot.line())
 }
 
+/// A member is handed to a function that may read it at any index, and the loop changes it.
+fn handed_on(kernel: &Kernel, lent: &Access, other: &Access, diagnostics: &mut Diagnostics) {
+    let (text, changed) = (lent.target.text(), name(kernel, other));
+    diagnostics
+        .error(
+            Code::HandedOn,
+            &lent.target.tokens,
+            format!("`{text}` cannot be handed to a function in a parallel loop that changes `{changed}`"),
+        )
+        .note(format!("{}, and the function may read it at any index", other_half(other)))
+        .help(format!("read the values first and hand those on: `{text}[..]`; or write to another field"));
+}
+
 fn report(kernel: &Kernel, found: &Loop, clash: &Clash, diagnostics: &mut Diagnostics) {
     let (access, other) = (kernel.access(clash.access), kernel.access(clash.other));
     let (member, target) = (name(kernel, access), access.target.text());
+    if let Some((lent, other)) = [(access, other), (other, access)].into_iter().find(|(lent, _)| lent.is_lent()) {
+        return handed_on(kernel, lent, other, diagnostics);
+    }
     match clash.why {
         Why::Scatter => scatter(found, access, diagnostics),
         Why::OperatorScatter => operator(access, diagnostics),

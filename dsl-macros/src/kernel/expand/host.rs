@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 
-use super::names::{Ends, hidden, private, span, tag};
+use super::names::{Ends, hidden, plain, private, span, tag};
 use super::rewrite::Rewrite;
 use super::views::change;
 use crate::kernel::model::{Access, Action, Boundary, UncheckedAccess};
@@ -15,8 +15,13 @@ pub(super) fn access(rewrite: &Rewrite<'_>, access: &Access) -> TokenStream {
     let field = &parameter.name;
     let (tags, whole) = (quote!(#private::tags(&*#field)), quote!(#private::path(&*#field)));
     let tag = tag(parameter, &tags, &whole, &access.path);
-    let index = rewrite.expr(&access.index);
     let ends = Ends::of(&access.target);
+    if access.is_lent() {
+        let (kernel, text) = (plain(&rewrite.kernel.function.sig.ident), plain(field));
+        let site = quote!(&#private::Site { kernel: #kernel, field: #text });
+        return function(&ends, "lend", quote!(&*#field, #tag, #site));
+    }
+    let index = rewrite.expr(&access.index);
     let (part, value) = match &access.action {
         Action::Read => {
             let arguments = quote!(&*#field, #tag, #index);
@@ -24,6 +29,7 @@ pub(super) fn access(rewrite: &Rewrite<'_>, access: &Access) -> TokenStream {
                 Boundary::Checked => function(&ends, "read", arguments),
                 Boundary::Clamped => function(&ends, "clamped", arguments),
                 Boundary::Wrapped => function(&ends, "wrapped", arguments),
+                Boundary::Lent => unreachable!("a member that is handed on has no index"),
                 Boundary::Or(value) => {
                     let value = rewrite.expr(value);
                     function(&ends, "or", quote!(#arguments, #value))

@@ -40,7 +40,7 @@ impl Launch<'_> {
         let planned = &self.plan.views[number];
         let own = self.parallel.head.field() == Some(planned.field);
         let row = matches!(&planned.view, View::Row(offset) if offset.iter().all(|o| *o == 0));
-        let plain = !self.plan.overlapping.contains(&planned.field);
+        let plain = !self.parallel.unchecked.contains_key(&planned.field);
         (own && row && plain && !self.plan.light).then(|| numbered("h", number))
     }
 

@@ -3,7 +3,7 @@
 mod captures;
 mod host;
 mod launch;
-mod names;
+pub(super) mod names;
 mod reductions;
 mod rewrite;
 pub(super) mod signature;

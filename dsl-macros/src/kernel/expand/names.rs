@@ -61,7 +61,7 @@ pub(super) fn tag(field: &FieldParam, tags: &TokenStream, whole: &TokenStream, p
 }
 
 /// Where the user's tokens begin and end.
-pub(super) struct Ends {
+pub(in crate::kernel) struct Ends {
     pub(super) first: Span,
     pub(super) last: Span,
 }
@@ -72,7 +72,7 @@ impl Ends {
         Self { first: span, last: span }
     }
 
-    pub(super) fn of(spot: &Spot) -> Self {
+    pub(in crate::kernel) fn of(spot: &Spot) -> Self {
         let mut tokens = spot.tokens.clone().into_iter();
         let first = tokens.next();
         let last = tokens.last().or_else(|| first.clone());
@@ -90,7 +90,12 @@ impl Ends {
     }
 
     /// `.method(arguments)`, at the user's tokens, so that errors and panics name them.
-    pub(super) fn call(&self, receiver: &impl ToTokens, method: &str, arguments: TokenStream) -> TokenStream {
+    pub(in crate::kernel) fn call(
+        &self,
+        receiver: &impl ToTokens,
+        method: &str,
+        arguments: TokenStream,
+    ) -> TokenStream {
         let method = Ident::new(method, self.first);
         // In parentheses at the user's tokens: a span that began at a hidden name would end up at the attribute.
         let receiver = self.group(quote!(#receiver), self.first);
@@ -105,7 +110,7 @@ impl Ends {
     }
 
     /// `(*(&value))`: a value that cannot be changed in place, at the user's tokens.
-    pub(super) fn read(&self, value: TokenStream) -> TokenStream {
+    pub(in crate::kernel) fn read(&self, value: TokenStream) -> TokenStream {
         let and = syn::Token![&](self.first);
         let star = syn::Token![*](self.first);
         let inner = self.group(quote!(#and #value), self.last);

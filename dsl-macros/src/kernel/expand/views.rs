@@ -24,6 +24,9 @@ pub(super) fn access(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, ac
         let hoisted = ends.local(&hoisted);
         return ends.read(quote!(#hoisted));
     }
+    if access.is_lent() {
+        return ends.call(&view, "lent", TokenStream::new());
+    }
     let cell = ends.local(&hidden("cell"));
     let places = match planned.view {
         View::Own | View::Row(_) => quote!(&#cell),
@@ -42,6 +45,7 @@ pub(super) fn access(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, ac
         (Boundary::Checked, None) => ends.call(&view, "get", places.clone()),
         (Boundary::Clamped, _) => ends.call(&view, "clamped", places.clone()),
         (Boundary::Wrapped, _) => ends.call(&view, "wrapped", places.clone()),
+        (Boundary::Lent, _) => unreachable!("a member that is handed on has no index"),
         (Boundary::Or(value), _) => {
             let value = rewrite.expr(value);
             ends.call(&view, "or", quote!(#places, #value))

@@ -327,10 +327,20 @@ impl Lower {
         }
     }
 
-    /// An argument of a call: fields are not handed on inside a parallel loop.
+    /// An argument of a call: a member is handed on to be read, and so is a whole field inside a parallel loop.
     fn visit_argument(&mut self, argument: &mut Expr, function: &str) {
-        match self.borrowed_base(argument) {
-            Some(_) if self.parallel().is_some() => {
+        let parallel = self.parallel();
+        match self.base(argument) {
+            Some(Base { field, path }) if parallel.is_some() || !path.is_empty() => {
+                let spot = Spot::new(argument);
+                let span = spot.tokens.span();
+                let (index, place, action, boundary) =
+                    (Expr::Verbatim(Default::default()), Place::Computed, Action::Read, Boundary::Lent);
+                let target = spot.clone();
+                let access = Access { field, path, index, place, action, boundary, parallel, spot, target };
+                *argument = self.access_node(access, span);
+            }
+            None if parallel.is_some() && self.borrowed_base(argument).is_some() => {
                 self.find(What::Argument { function: function.to_owned() }, argument);
             }
             _ => self.visit_expr_mut(argument),

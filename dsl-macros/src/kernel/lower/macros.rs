@@ -13,7 +13,7 @@ use crate::kernel::model::{MacroArguments, MacroCall, Node, OpaqueMacro, Spot, W
 use crate::kernel::syntax::name_of;
 
 /// Macros whose arguments are expressions.
-const KNOWN: &[&str] = &[
+pub(in crate::kernel) const KNOWN: &[&str] = &[
     "assert",
     "assert_eq",
     "assert_ne",
@@ -140,7 +140,7 @@ impl Lower {
     }
 }
 
-fn word(call: &Macro) -> String {
+pub(in crate::kernel) fn word(call: &Macro) -> String {
     call.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default()
 }
 
@@ -185,7 +185,7 @@ impl Parse for Matches {
 }
 
 /// All names in tokens, groups included.
-fn collect(tokens: TokenStream, names: &mut Vec<Ident>) {
+pub(in crate::kernel) fn collect(tokens: TokenStream, names: &mut Vec<Ident>) {
     for token in tokens {
         match token {
             TokenTree::Ident(name) => names.push(name),

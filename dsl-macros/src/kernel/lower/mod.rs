@@ -5,7 +5,7 @@ mod heads;
 mod index;
 mod jumps;
 mod loops;
-mod macros;
+pub(super) mod macros;
 mod scope;
 mod suspicions;
 mod targets;

@@ -8,6 +8,7 @@ use crate::diagnostics::Diagnostics;
 mod accepted;
 mod conflicts;
 mod expansions;
+mod functions;
 mod heads;
 mod lints;
 mod names;

@@ -60,6 +60,17 @@ fn slices_are_fields_where_loops_use_them_as_such() {
         [""; 0]
     );
     assert_eq!(codes("fn k(s: &mut [f32]) { let f = || for i in 0..3 { s[i] = s[0]; }; }"), [""; 0]);
+    // An index that is no `usize` makes them fields, others do not.
+    assert_eq!(codes("fn k(s: &[f32], p: &mut Field<f32, _>) { for i in p { p[i] = s[i - 1]; f(s); } }"), [""; 0]);
+    assert_eq!(
+        codes("fn k(s: &[f32], p: &mut Field<f32, _, Ij>) { for ij in p { p[ij] = s[(ij.x + 1) % 3] + f(&s); } }"),
+        ["A0214"]
+    );
+    assert_eq!(
+        codes("fn k(s: &[f32], p: &mut Field<f32, _>) { for i in p { p[i] = s[i as usize] + f(&s); } }"),
+        [""; 0]
+    );
+    assert_eq!(codes("fn k(s: &[f32], p: &mut Field<f32, _>) { for i in 0..9 { p[i] = s[i] + f(&s); } }"), [""; 0]);
     // As fields they obey the rules of fields.
     assert_eq!(codes("fn k(s: &mut [f32]) { for i in s { s[i] = 1.0; } s[0..2].fill(2.0); }"), [""; 0]);
     assert_eq!(codes("fn k(s: &mut [f32]) { for i in 0..9 { s[i] = s[i + 1]; } }"), ["A0201"]);

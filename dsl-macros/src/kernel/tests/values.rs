@@ -24,7 +24,13 @@ fn members_and_fields_are_no_values() {
     body("let g = u;", &["A0213"]);
     body("let y = u.v + 1.0;", &["A0213"]);
     body("for a in p { let y = p.v + x; }", &["A0213"]);
-    body("for a in p { f(p.v, x); g(&q); h.method(q); }", &["A0214", "A0214", "A0214"]);
+    body("for a in p { f(p.v, x); g(q); h.method(q.v, f(v)); }", &[""; 0]);
+    body("for a in p { g(&q); h.method(&mut *p.v); f((q, 1)); }", &["A0214", "A0214", "A0214"]);
+    body("for a in p { p.v[a] = f(q.v, p.w, p.v); }", &["A0214"]);
+    body("for a in p { p.v[q[a]] += f(p.v, p); }", &["A0214", "A0214"]);
+    body("for a in p { p[a] = f(p.w); }", &["A0214"]);
+    body("f(p.v, x); f(p); #[serial] for a in p { p.v[a] = f(p.v); }", &[""; 0]);
+    body("f(&p.v);", &["A0213"]);
     body("for a in p { let y = if x { q } else { q }; }", &["A0214", "A0214"]);
     body("for a in p { println!(\"{q:?}\"); }", &["A0214"]);
     body("f(u, &mut *p, &v); let y = v.members().v.to_vec();", &[]);
