@@ -12,6 +12,7 @@ mod heads;
 mod lints;
 mod names;
 mod races;
+mod random_kernels;
 mod signatures;
 mod values;
 
