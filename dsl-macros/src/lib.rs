@@ -9,6 +9,8 @@
 use proc_macro::TokenStream;
 
 mod diagnostics;
+#[cfg(test)]
+mod fuzz;
 mod kernel;
 mod layout;
 mod nearest;

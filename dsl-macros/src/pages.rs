@@ -22,7 +22,7 @@ fn page(code: Code) -> String {
 }
 
 /// The blocks of a page that are opened with these words.
-fn blocks(page: &str, opened: &str) -> Vec<String> {
+pub(crate) fn blocks(page: &str, opened: &str) -> Vec<String> {
     let mut blocks = Vec::new();
     let mut open: Option<(bool, String)> = None;
     for line in page.lines() {
@@ -49,7 +49,8 @@ impl Expansions {
     }
 }
 
-fn derives_record(attributes: &[Attribute]) -> bool {
+/// Whether an item is a record.
+pub(crate) fn derives_record(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
         attribute.path().is_ident("derive") && attribute.meta.to_token_stream().to_string().contains("Record")
     })
@@ -79,7 +80,7 @@ impl<'ast> Visit<'ast> for Expansions {
 }
 
 /// The kernels of an example: functions, methods and what else bears `#[kernel]`, with its options.
-fn kernels(example: &str) -> Vec<(TokenStream, TokenStream)> {
+pub(crate) fn kernels(example: &str) -> Vec<(TokenStream, TokenStream)> {
     struct Found(Vec<(TokenStream, TokenStream)>);
     impl Found {
         /// Takes the attribute off an item that bears it.

@@ -34,6 +34,7 @@ fn rejected(item: TokenStream, diagnostics: Diagnostics) -> TokenStream {
 
 /// Expands a kernel, or reports all its errors beside a function of the same type, so that nothing follows from them.
 pub(crate) fn expand(options: TokenStream, item: TokenStream) -> TokenStream {
+    let item = model::without_placeholders(item);
     let mut diagnostics = Diagnostics::default();
     let Some(function) = parse::parse(item.clone(), &mut diagnostics) else {
         return rejected(item, diagnostics);
