@@ -41,8 +41,10 @@ codes! {
     FieldPattern = A0105,
     /// A `_` where only the layout may be left open.
     OpenParameter = A0106,
-    /// A kind of parameter that is not available yet.
-    ParameterKind = A0107,
+    /// A member as a parameter whose type names its record.
+    MemberType = A0107,
+    /// A member of a single member or of a slice.
+    MemberOfMember = A0108,
     /// A parallel loop over something that is not in the list of heads.
     LoopHead = A0110,
     /// A range with its end included, or without an end.

@@ -91,9 +91,20 @@ pub unsafe trait Element: Copy + Send + Sync + Sealed + 'static {
     fn splat(scalar: Self::Scalar) -> Self;
 }
 
+/// An element that lies in memory as its components, one after another: what a slice that a kernel writes may hold.
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "a slice of `{Self}` cannot be used as a field in a kernel",
+    label = "not an element without gaps",
+    note = "slices hold f32, f64, i8..i64, u8..u64, bool, glam's vectors (but Vec3A), matrices and quaternions, and arrays of these; for records, write `Field<{Self}, _>`"
+)]
+pub trait Packed: Element {}
+impl<T: Packed, const N: usize> Packed for [T; N] {}
+
 macro_rules! scalars {
     ($($scalar:ty, $kind:ident;)*) => {$(
         impl Sealed for $scalar {}
+        impl Packed for $scalar {}
         // SAFETY: a primitive of equal size and alignment on the supported targets; fields hold only bytes written from values, or zeros.
         unsafe impl Scalar for $scalar {
             const KIND: Kind = Kind::$kind;
@@ -132,6 +143,7 @@ scalars! {
 macro_rules! packed {
     ($($element:ty: $scalar:ty, $components:expr;)*) => {$(
         impl Sealed for $element {}
+        impl Packed for $element {}
         const _: () = assert!(size_of::<$element>() == $components * size_of::<$scalar>());
         // SAFETY: glam lays these out as `COMPONENTS` scalars (columns for matrices), asserted by size above and by tests.
         unsafe impl Element for $element {

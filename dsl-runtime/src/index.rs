@@ -39,6 +39,9 @@ integers!(i8 i16 i32 i64 isize u8 u16 u32 u64 usize);
     note = "`I` is indexed by an integer, `Ij` by an IVec2 or two integers, `Ijk` by an IVec3 or three integers, `Ijkl` by an IVec4 or four, `O` by `()`; write `x as i32` for a float"
 )]
 pub trait IntoIndex<X: Axes>: Copy + Sealed {
+    /// Whether it must be checked against the shape. Only an index that was promised to lie within needs no check.
+    #[doc(hidden)]
+    const CHECKED: bool = true;
     /// The coordinates; what no field reaches stays out of reach.
     #[doc(hidden)]
     fn coordinates(self) -> [i64; MAX_AXES];

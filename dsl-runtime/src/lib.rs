@@ -100,10 +100,19 @@
 //!
 //! # Kernels
 //!
-//! Parameters are fields (`&Field<R, _, X>`, `&mut Field<R, _, X>`; `_` stands for any layout, a named layout pins it) and any other Rust
-//! values. Each outermost `for` of the body is one parallel launch, run to its end before the next statement; all else at the top level
-//! is ordinary serial Rust. A kernel is a plain function: it may be a method, be generic and return a value. [`Spatial`] and [`Real`] serve kernels for plane and
-//! space, single and double precision.
+//! | parameter | what it is |
+//! | --- | --- |
+//! | `&Field<R, _, X>`, `&mut Field<R, _, X>` | a field: `_` stands for any layout, a named layout pins it, a type parameter `L` relates several |
+//! | `&Member<T, _, X>`, `&mut Member<T, _, X>` | values `T` of any record: called with `&grid.members().mass`, `&mut grid.members_mut().mass`, or a bare field (see [`AnyMember`]). Members of one record may be handed in together |
+//! | `&[T]`, `&mut [T]` | a slice, which is a field over one axis where a loop runs over it or writes it, and an ordinary value elsewhere |
+//! | `#[field] grid: &mut Grid` | a field whose type has another name |
+//! | anything else | an ordinary Rust value |
+//!
+//! Each outermost `for` of the body is one parallel launch, run to its end before the next statement; all else at the top level
+//! is ordinary serial Rust. A kernel is a plain function: it may be a method, be generic and return a value.
+//! With `T: Real` (see [`Real`]) one kernel serves `f32` and `f64`; records, elements, axes, layouts and constants may be type parameters too, and
+//! `_` leaves the turbofish to them.
+//! [`spatial`] does the same for plane and space.
 //!
 //! | loop head | runs over |
 //! | --- | --- |
@@ -114,7 +123,7 @@
 //! | `for (i, j) in grid.interior(1).checkerboard(c)` | heads combine: a colour of an interior or of a border |
 //! | `for i in 0..n`, `for (i, j) in ndrange!(0..n, 0..m)` | a range, without a field |
 //! | `for (a, b) in unroll!(0..3, 0..3)` | inner loops only: constants, unrolled at compile time |
-//! | `for offset in unroll!(X, 0..3)` | the same over all axes of the type parameter `X`, see [`Spatial`] |
+//! | `for offset in unroll!(X, 0..3)` | the same over all axes of the type parameter `X`, see [`spatial`] |
 //! | `#[serial] for ..` | any iterator, on one thread, with any access |
 //! | `#[ordered] for t in 0..n` | any iterator, turn after turn; its body is top level: the loops in it are launches |
 //!
@@ -162,6 +171,32 @@
 //! unrolled stencil around a computed index once, others each time. An index out of range panics with kernel, field, index, shape and
 //! source line, after the other threads have stopped.
 //!
+//! The ways out are written where they are taken: `#[serial]` before a loop; `unsafe { u.get_unchecked(i) }` and `unsafe { u.set_unchecked(i, value) }`,
+//! which neither check the index nor ask who else touches the element; and `#[kernel(unchecked)]`, which makes the kernel an `unsafe fn` whose
+//! callers promise that all indices in its parallel loops lie within their fields. With debug assertions they are checked all the same.
+//!
+//! ```
+//! use allotrope::prelude::*;
+//!
+//! /// Takes every value from where `order` says.
+//! ///
+//! /// # Safety
+//! /// `order` holds indices of `from`, and is as long as `to`.
+//! #[kernel(unchecked)]
+//! fn gather(from: &Field<f32, _>, order: &Field<u32, _>, to: &mut Field<f32, _>) {
+//!     for p in to {
+//!         to[p] = from[order[p]];
+//!     }
+//! }
+//!
+//! let from = Field::<f32, Soa>::new([8]).with_background(2.0);
+//! let order = Field::<u32, Soa>::new([100]).with_background(7);
+//! let mut to = Field::<f32, Soa>::new([100]);
+//! // SAFETY: `from` has an element 7, and `order` is as long as `to`.
+//! unsafe { gather(&from, &order, &mut to) };
+//! assert_eq!(to.get(99), 2.0);
+//! ```
+//!
 //! # Schedules
 //!
 //! A [`Schedule`] says how launches run; results but for rounding do not depend on it. It holds for calls in a closure,
@@ -184,7 +219,7 @@
 //! # Not available yet
 //!
 //! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`); indices below zero (`with_origin`); nested records and enums; reads of the other
-//! colour beside writes under `checkerboard`; single members as parameters; `#[relaxed]` and atomics that return the old value.
+//! colour beside writes under `checkerboard`; `#[relaxed]` and atomics that return the old value.
 //! Where one of these words is used, the error says so.
 
 // Expansions name this crate from outside; inside (tests, examples in docs) it is the same name.
@@ -200,11 +235,13 @@ mod launch;
 pub mod layout;
 mod number;
 mod random;
+mod real;
 mod record;
 mod scatter;
 mod schedule;
 mod serial;
-mod spatial;
+pub mod spatial;
+mod unchecked;
 mod view;
 
 #[doc(hidden)]
@@ -216,16 +253,16 @@ pub use allotrope_macros::{Record, kernel, layout};
 pub use axes::{Axes, I, Ij, Ijk, Ijkl, O, Shape};
 pub use element::{Element, Scalar};
 pub use field::{
-    Field, FileError, FileFault, Member, MemberMut, NonFinite, OutOfRange, ParallelRecords, Permutation,
-    PermutationError, Records, ScanOverflow, ShapeError, ShapeMismatch,
+    AnyMember, AnyMemberMut, Field, FileError, FileFault, Member, MemberMut, NonFinite, OutOfRange, ParallelRecords,
+    Permutation, PermutationError, Records, ScanOverflow, ShapeError, ShapeMismatch, Source, SourceMut,
 };
 pub use index::{Integer, IntoIndex};
 pub use launch::cpu::Cpu;
 pub use layout::Layout;
 pub use random::{Random, RandomKey, random};
+pub use real::Real;
 pub use record::{MAX_MEMBERS, Record};
 pub use schedule::{MAX_THREADS, Scatter, Schedule};
-pub use spatial::{IndexVector, Matrix, Real, Spatial, Vector};
 
 /// The examples of the README, compiled and run as documentation tests.
 #[cfg(doctest)]

@@ -10,9 +10,9 @@ use crate::element::{Element, Scalar, Sealed};
 )]
 pub trait Number: Scalar {
     /// What adding changes nothing, bit for bit.
-    const ZERO: Self;
+    const EMPTY_SUM: Self;
     /// What multiplying changes nothing.
-    const ONE: Self;
+    const EMPTY_PRODUCT: Self;
     /// The largest value.
     const HIGHEST: Self;
     /// The smallest value.
@@ -73,8 +73,8 @@ macro_rules! update {
 macro_rules! floats {
     ($($scalar:ty, $atomic:ident;)*) => {$(
         impl Number for $scalar {
-            const ZERO: Self = -0.0;
-            const ONE: Self = 1.0;
+            const EMPTY_SUM: Self = -0.0;
+            const EMPTY_PRODUCT: Self = 1.0;
             const HIGHEST: Self = <$scalar>::INFINITY;
             const LOWEST: Self = <$scalar>::NEG_INFINITY;
             #[inline(always)]
@@ -110,8 +110,8 @@ floats!(f32, AtomicU32; f64, AtomicU64;);
 macro_rules! integers {
     ($($scalar:ty, $atomic:ident;)*) => {$(
         impl Number for $scalar {
-            const ZERO: Self = 0;
-            const ONE: Self = 1;
+            const EMPTY_SUM: Self = 0;
+            const EMPTY_PRODUCT: Self = 1;
             const HIGHEST: Self = <$scalar>::MAX;
             const LOWEST: Self = <$scalar>::MIN;
             #[inline(always)]
@@ -188,13 +188,13 @@ macro_rules! operators {
     )*};
 }
 operators! {
-    Sum: Number, ZERO, plus, "`+=` and `-=`.";
-    Product: Number, ONE, times, "`*=`.";
+    Sum: Number, EMPTY_SUM, plus, "`+=` and `-=`.";
+    Product: Number, EMPTY_PRODUCT, times, "`*=`.";
     Min: Number, HIGHEST, least, "`min_assign`.";
     Max: Number, LOWEST, greatest, "`max_assign`.";
     BitAnd: Bits, ALL, both, "`&=`.";
-    BitOr: Bits, ZERO, either, "`|=`.";
-    BitXor: Bits, ZERO, one, "`^=`.";
+    BitOr: Bits, EMPTY_SUM, either, "`|=`.";
+    BitXor: Bits, EMPTY_SUM, one, "`^=`.";
 }
 
 /// An operator that leaves alone what the identity is applied to: `min` would take the highest number for NaN.

@@ -5,9 +5,9 @@ pub use crate::field::Field;
 pub use crate::launch::cpu::Cpu;
 pub use crate::layout::{AoSoA, Aos, Blocked, Layout, Morton, Soa, Split};
 pub use crate::random::random;
+pub use crate::real::Real;
 pub use crate::record::Record;
 pub use crate::schedule::{Scatter, Schedule};
-pub use crate::spatial::{IndexVector as _, Matrix as _, Real, Spatial, Vector as _};
 pub use allotrope_macros::{Record, kernel, layout};
 pub use glam::{
     BVec2, BVec3, DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4, IVec2, IVec3, IVec4, Mat2, Mat3, Mat4, Quat, UVec2,

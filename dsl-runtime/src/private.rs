@@ -9,12 +9,14 @@ pub use crate::number::{BitAnd, BitOr, BitXor, ComponentMul, Max, Min, Product, 
 pub use crate::record::{At, ElementList, MemberMuts, MemberRefs, MemberSpec, Path, Tag, Whole};
 pub use crate::scatter::{Op, Scattered, Target};
 pub use crate::view::{
-    Accumulate, Based, Buffer, Free, Held, Own, OwnFree, Read, Row, Site, Var, View, buffer, exclusive, negative,
-    shared,
+    Accumulate, Based, Buffer, Free, Held, Own, OwnFree, Read, Row, Site, Var, View, assert_packed, buffer, exclusive,
+    negative, shared,
 };
 
 pub use crate::capture::{Hold, Lend, Wrap, assert_shared};
+pub use crate::unchecked::Unchecked;
+
 pub use crate::serial::{
-    NotAnAccess, border, byte_offset, clamped, cold, index_tuples, indices, interior_indices, interior_tuples, locate,
-    max, min, ndrange, or, read, read_at, tags, wrapped, write, write_at,
+    NotAnAccess, border, byte_offset, clamped, cold, get_unchecked, index_tuples, indices, interior_indices,
+    interior_tuples, locate, max, min, ndrange, or, path, read, read_at, set_unchecked, tags, wrapped, write, write_at,
 };

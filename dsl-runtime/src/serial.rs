@@ -4,7 +4,8 @@ use core::ops::Range;
 
 use crate::axes::{Axes, MAX_AXES};
 use crate::element::Element;
-use crate::field::Field;
+use crate::field::source::find;
+use crate::field::{Source, SourceMut};
 use crate::index::{Integer, IntoIndex};
 use crate::launch::Border;
 use crate::layout::{Layout, Map};
@@ -18,8 +19,14 @@ pub struct NotAnAccess;
 
 /// The names of a field's members.
 #[inline(always)]
-pub fn tags<R: Record, L, X>(_: &Field<R, L, X>) -> R::Tags {
-    R::TAGS
+pub fn tags<S: Source + ?Sized>(_: &S) -> <S::Record as Record>::Tags {
+    <S::Record as Record>::TAGS
+}
+
+/// What an index of it names.
+#[inline(always)]
+pub fn path<S: Source + ?Sized>(_: &S) -> S::Path {
+    S::PATH
 }
 
 /// A checked index.
@@ -32,44 +39,78 @@ pub struct Located([u32; MAX_AXES]);
 /// Where it lies outside of the shape.
 #[inline]
 #[track_caller]
-pub fn locate<R: Record, L: Layout<X>, X: Axes>(field: &Field<R, L, X>, index: impl IntoIndex<X>) -> Located {
-    match field.find(index) {
+pub fn locate<S: Source<Axes = X> + ?Sized, X: Axes>(field: &S, index: impl IntoIndex<X>) -> Located {
+    match find(field, index) {
         Ok(at) => Located(at),
-        Err(error) => panic!("`Field<{}, ..>`: {error}", core::any::type_name::<R>()),
+        Err(error) => crate::field::out_of_range::<S::Record>(&error),
     }
 }
 
 /// The value of a path at a checked index.
 #[inline]
 #[track_caller]
-pub fn read_at<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(field: &Field<R, L, X>, _: P, at: Located) -> P::Value {
+pub fn read_at<S: Source + ?Sized, P: Path<S::Record>>(field: &S, _: P, at: Located) -> P::Value {
     let at = recheck(field, at);
-    // SAFETY: within this field's shape; `&Field` keeps writers away.
+    // SAFETY: within this field's shape; the shared borrow keeps writers away.
     unsafe { field.handle().read::<P>(at) }
 }
 
 /// Puts a value at a checked index.
 #[inline]
 #[track_caller]
-pub fn write_at<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
-    field: &mut Field<R, L, X>,
-    _: P,
-    at: Located,
-    value: P::Value,
-) {
+pub fn write_at<S: SourceMut + ?Sized, P: Path<S::Record>>(field: &mut S, _: P, at: Located, value: P::Value) {
     let at = recheck(field, at);
-    // SAFETY: within this field's shape; `&mut Field` is exclusive.
-    unsafe { field.handle().write::<P>(at, value) }
+    // SAFETY: within this field's shape; `&mut` is exclusive.
+    unsafe { field.handle_mut().write::<P>(at, value) }
 }
 
 /// An index that was checked against one field may be handed to another.
 #[inline(always)]
 #[track_caller]
-fn recheck<R: Record, L: Layout<X>, X: Axes>(field: &Field<R, L, X>, Located(at): Located) -> [u32; MAX_AXES] {
+fn recheck<S: Source + ?Sized>(field: &S, Located(at): Located) -> [u32; MAX_AXES] {
     let handle = field.handle();
     let shape = handle.geometry.shape;
-    assert!(crate::axes::all::<X>(|a| at[a] < shape[a]), "an index of another field");
+    assert!(crate::axes::all::<S::Axes>(|a| at[a] < shape[a]), "an index of another field");
     at
+}
+
+/// The value of a path at an index, which is checked with debug assertions alone.
+///
+/// # Safety
+/// The index lies within the shape.
+#[inline]
+#[track_caller]
+pub unsafe fn get_unchecked<S: Source<Axes = X> + ?Sized, X: Axes, P: Path<S::Record>>(
+    field: &S,
+    path: P,
+    index: impl IntoIndex<X>,
+) -> P::Value {
+    if cfg!(debug_assertions) {
+        return read(field, path, index);
+    }
+    let at = index.coordinates().map(|c| c as u32);
+    // SAFETY: as the caller promises; the shared borrow keeps writers away.
+    unsafe { field.handle().read::<P>(at) }
+}
+
+/// Puts a value at an index, which is checked with debug assertions alone.
+///
+/// # Safety
+/// The index lies within the shape.
+#[inline]
+#[track_caller]
+pub unsafe fn set_unchecked<S: SourceMut + Source<Axes = X> + ?Sized, X: Axes, P: Path<S::Record>>(
+    field: &mut S,
+    path: P,
+    index: impl IntoIndex<X>,
+    value: P::Value,
+) {
+    if cfg!(debug_assertions) {
+        return write(field, path, index, value);
+    }
+    let at = index.coordinates().map(|c| c as u32);
+    // SAFETY: as the caller promises; `&mut` is exclusive.
+    unsafe { field.handle_mut().write::<P>(at, value) }
 }
 
 /// The value of a path at an index.
@@ -78,8 +119,8 @@ fn recheck<R: Record, L: Layout<X>, X: Axes>(field: &Field<R, L, X>, Located(at)
 /// Where it lies outside of the shape.
 #[inline]
 #[track_caller]
-pub fn read<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
-    field: &Field<R, L, X>,
+pub fn read<S: Source<Axes = X> + ?Sized, X: Axes, P: Path<S::Record>>(
+    field: &S,
     path: P,
     index: impl IntoIndex<X>,
 ) -> P::Value {
@@ -92,8 +133,8 @@ pub fn read<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
 /// Where the field has no element.
 #[inline]
 #[track_caller]
-pub fn clamped<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
-    field: &Field<R, L, X>,
+pub fn clamped<S: Source<Axes = X> + ?Sized, X: Axes, P: Path<S::Record>>(
+    field: &S,
     path: P,
     index: impl IntoIndex<X>,
 ) -> P::Value {
@@ -110,8 +151,8 @@ pub fn clamped<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
 /// Where the field has no element, or the index is larger than an `i64`.
 #[inline]
 #[track_caller]
-pub fn wrapped<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
-    field: &Field<R, L, X>,
+pub fn wrapped<S: Source<Axes = X> + ?Sized, X: Axes, P: Path<S::Record>>(
+    field: &S,
     path: P,
     index: impl IntoIndex<X>,
 ) -> P::Value {
@@ -125,8 +166,8 @@ pub fn wrapped<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
 /// The value of a path at an index, or `value` where it lies outside of the shape.
 #[inline]
 #[track_caller]
-pub fn or<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
-    field: &Field<R, L, X>,
+pub fn or<S: Source<Axes = X> + ?Sized, X: Axes, P: Path<S::Record>>(
+    field: &S,
     path: P,
     index: impl IntoIndex<X>,
     value: P::Value,
@@ -143,8 +184,8 @@ pub fn or<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
 /// Where it lies outside of the shape.
 #[inline]
 #[track_caller]
-pub fn write<R: Record, L: Layout<X>, X: Axes, P: Path<R>>(
-    field: &mut Field<R, L, X>,
+pub fn write<S: SourceMut + Source<Axes = X> + ?Sized, X: Axes, P: Path<S::Record>>(
+    field: &mut S,
     path: P,
     index: impl IntoIndex<X>,
     value: P::Value,
@@ -197,38 +238,34 @@ fn walk<L: Layout<X>, X: Axes>(shape: [u32; MAX_AXES], border: u32) -> impl Iter
 }
 
 /// The indices of a field, which need not be borrowed meanwhile.
-pub fn indices<R: Record, L: Layout<X>, X: Axes>(
-    field: &Field<R, L, X>,
-) -> impl Iterator<Item = X::Index> + use<R, L, X> {
-    walk::<L, X>(field.handle().geometry.shape, 0).map(X::index)
+pub fn indices<S: Source<Axes = X> + ?Sized, X: Axes>(field: &S) -> impl Iterator<Item = X::Index> + use<S, X> {
+    walk::<S::Layout, X>(field.handle().geometry.shape, 0).map(X::index)
 }
 
 /// The indices of a field as tuples.
-pub fn index_tuples<R: Record, L: Layout<X>, X: Axes>(
-    field: &Field<R, L, X>,
-) -> impl Iterator<Item = X::Tuple> + use<R, L, X> {
-    walk::<L, X>(field.handle().geometry.shape, 0).map(X::tuple)
+pub fn index_tuples<S: Source<Axes = X> + ?Sized, X: Axes>(field: &S) -> impl Iterator<Item = X::Tuple> + use<S, X> {
+    walk::<S::Layout, X>(field.handle().geometry.shape, 0).map(X::tuple)
 }
 
 /// The indices of a field but a border.
-pub fn interior_indices<R: Record, L: Layout<X>, X: Axes>(
-    field: &Field<R, L, X>,
+pub fn interior_indices<S: Source<Axes = X> + ?Sized, X: Axes>(
+    field: &S,
     width: u32,
-) -> impl Iterator<Item = X::Index> + use<R, L, X> {
-    walk::<L, X>(field.handle().geometry.shape, width).map(X::index)
+) -> impl Iterator<Item = X::Index> + use<S, X> {
+    walk::<S::Layout, X>(field.handle().geometry.shape, width).map(X::index)
 }
 
 /// The indices of a field but a border, as tuples.
-pub fn interior_tuples<R: Record, L: Layout<X>, X: Axes>(
-    field: &Field<R, L, X>,
+pub fn interior_tuples<S: Source<Axes = X> + ?Sized, X: Axes>(
+    field: &S,
     width: u32,
-) -> impl Iterator<Item = X::Tuple> + use<R, L, X> {
-    walk::<L, X>(field.handle().geometry.shape, width).map(X::tuple)
+) -> impl Iterator<Item = X::Tuple> + use<S, X> {
+    walk::<S::Layout, X>(field.handle().geometry.shape, width).map(X::tuple)
 }
 
 /// The border of a field.
-pub fn border<R: Record, L: Layout<X>, X: Axes>(field: &Field<R, L, X>, width: u32) -> Border {
-    Border::new::<X>(&field.handle().geometry, width)
+pub fn border<S: Source + ?Sized>(field: &S, width: u32) -> Border {
+    Border::new::<S::Axes>(&field.handle().geometry, width)
 }
 
 /// Serial loops inside parallel ones.
@@ -311,7 +348,7 @@ pub fn cold() {}
 /// # Panics
 /// Where the index, member or component does not exist.
 pub fn byte_offset<R: Record, L: Layout<X>, X: Axes>(
-    field: &Field<R, L, X>,
+    field: &crate::Field<R, L, X>,
     index: impl IntoIndex<X>,
     member: usize,
     component: usize,

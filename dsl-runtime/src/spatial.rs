@@ -1,157 +1,22 @@
 //! Types that serve two and three axes, single and double precision: `X::Index`, `X::Vec<T>`, `X::Mat<T>`.
+//!
+//! Generic records and kernels begin with `use allotrope::spatial::*;` beside the prelude. [`Spatial`] shows a kernel.
 
-use core::fmt::{Debug, Display};
-use core::ops::{Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Rem, Sub, SubAssign};
 
 use crate::axes::{Axes, Ij, Ijk};
-use crate::element::{Element, Sealed};
+use crate::element::Element;
 use crate::index::IntoIndex;
-use crate::number::Number;
 use crate::random::Random;
-
-/// `f32` or `f64`: what records and kernels are generic over that serve both.
-///
-/// Its functions are those of the standard library.
-#[diagnostic::on_unimplemented(message = "`{Self}` is neither `f32` nor `f64`")]
-pub trait Real:
-    Element<Scalar = Self>
-    + Number
-    + Random
-    + Default
-    + Debug
-    + Display
-    + PartialOrd
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Rem<Output = Self>
-    + Neg<Output = Self>
-    + AddAssign
-    + SubAssign
-    + MulAssign
-    + DivAssign
-    + RemAssign
-    + Sealed
-{
-    /// `Vec2` or `DVec2`.
-    type Vec2: Vector<Self, Ij>;
-    /// `Vec3` or `DVec3`.
-    type Vec3: Vector<Self, Ijk>;
-    /// `Mat2` or `DMat2`.
-    type Mat2: Matrix<Self, Self::Vec2>;
-    /// `Mat3` or `DMat3`.
-    type Mat3: Matrix<Self, Self::Vec3>;
-    /// The circle's circumference over its diameter.
-    const PI: Self;
-    /// The distance from 1 to the next number.
-    const EPSILON: Self;
-    /// Positive infinity.
-    const INFINITY: Self;
-    /// The nearest number.
-    fn from_f64(value: f64) -> Self;
-    /// The same number.
-    fn to_f64(self) -> f64;
-    /// The nearest number.
-    fn from_i32(value: i32) -> Self;
-    /// The integer part; the nearest `i32` where it is none, 0 for NaN.
-    fn to_i32(self) -> i32;
-    /// Whether it is neither infinite nor NaN.
-    fn is_finite(self) -> bool;
-    /// `self * by + plus`, rounded once.
-    fn mul_add(self, by: Self, plus: Self) -> Self;
-    /// To the power of an integer.
-    fn powi(self, exponent: i32) -> Self;
-    /// To the power of a number.
-    fn powf(self, exponent: Self) -> Self;
-    /// The angle of the vector `(x, self)`, in radians.
-    fn atan2(self, x: Self) -> Self;
-    /// The smaller; the other where one is NaN.
-    fn min(self, other: Self) -> Self;
-    /// The larger; the other where one is NaN.
-    fn max(self, other: Self) -> Self;
-    /// The nearest number in `low..=high`.
-    fn clamp(self, low: Self, high: Self) -> Self;
-    /// Without its sign.
-    fn abs(self) -> Self;
-    /// 1 or -1, with its sign.
-    fn signum(self) -> Self;
-    /// 1 over it.
-    fn recip(self) -> Self;
-    /// The square root.
-    fn sqrt(self) -> Self;
-    /// The cube root.
-    fn cbrt(self) -> Self;
-    /// e to its power.
-    fn exp(self) -> Self;
-    /// The natural logarithm.
-    fn ln(self) -> Self;
-    /// The sine of an angle in radians.
-    fn sin(self) -> Self;
-    /// The cosine of an angle in radians.
-    fn cos(self) -> Self;
-    /// The tangent of an angle in radians.
-    fn tan(self) -> Self;
-    /// The largest integer that is not above it.
-    fn floor(self) -> Self;
-    /// The smallest integer that is not below it.
-    fn ceil(self) -> Self;
-    /// The nearest integer, halves away from zero.
-    fn round(self) -> Self;
-}
-
-macro_rules! reals {
-    ($($real:ident: $vec2:ident $vec3:ident $mat2:ident $mat3:ident;)*) => {$(
-        impl Real for $real {
-            type Vec2 = glam::$vec2;
-            type Vec3 = glam::$vec3;
-            type Mat2 = glam::$mat2;
-            type Mat3 = glam::$mat3;
-            const PI: Self = core::$real::consts::PI;
-            const EPSILON: Self = $real::EPSILON;
-            const INFINITY: Self = $real::INFINITY;
-            #[inline(always)]
-            fn from_f64(value: f64) -> Self {
-                value as Self
-            }
-            #[inline(always)]
-            fn to_f64(self) -> f64 {
-                self as f64
-            }
-            #[inline(always)]
-            fn from_i32(value: i32) -> Self {
-                value as Self
-            }
-            #[inline(always)]
-            fn to_i32(self) -> i32 {
-                self as i32
-            }
-            reals!(@functions $real:
-                is_finite() -> bool; mul_add(by: Self, plus: Self) -> Self; powi(exponent: i32) -> Self;
-                powf(exponent: Self) -> Self; atan2(x: Self) -> Self; min(other: Self) -> Self; max(other: Self) -> Self;
-                clamp(low: Self, high: Self) -> Self; abs() -> Self; signum() -> Self; recip() -> Self; sqrt() -> Self;
-                cbrt() -> Self; exp() -> Self; ln() -> Self; sin() -> Self; cos() -> Self; tan() -> Self; floor() -> Self;
-                ceil() -> Self; round() -> Self;
-            );
-        }
-    )*};
-    (@functions $real:ident: $($name:ident($($argument:ident: $ty:ty),*) -> $out:ty;)*) => {$(
-        #[inline(always)]
-        fn $name(self, $($argument: $ty),*) -> $out {
-            <$real>::$name(self, $($argument),*)
-        }
-    )*};
-}
-reals! {
-    f32: Vec2 Vec3 Mat2 Mat3;
-    f64: DVec2 DVec3 DMat2 DMat3;
-}
+pub use crate::real::Real;
 
 /// Axes of a plane or of space, [`Ij`] or [`Ijk`]: with them come the types of indices, vectors and matrices, so that one record and one kernel
 /// serve both.
 ///
 /// ```
 /// use allotrope::prelude::*;
+/// use allotrope::spatial::*;
 ///
 /// /// A material point.
 /// #[derive(Record, Clone, Copy, Default)]
@@ -168,9 +33,9 @@ reals! {
 ///         let base = at.to_index();
 ///         let fx = at - base.to_vec();
 ///         for offset in unroll!(X, 0..2) {
-///             let mut weight = T::from_f64(1.0);
+///             let mut weight = T::ONE;
 ///             for axis in 0..X::RANK {
-///                 weight *= if offset[axis] == 1 { fx[axis] } else { T::from_f64(1.0) - fx[axis] };
+///                 weight *= if offset[axis] == 1 { fx[axis] } else { T::ONE - fx[axis] };
 ///             }
 ///             mass[base + offset] += weight;
 ///         }

@@ -205,7 +205,7 @@ pub(crate) struct Plan {
     pub(crate) fields: BTreeMap<usize, bool>,
     /// Whether own writes are held back until the end of a run.
     pub(crate) light: bool,
-    /// Fields with two own views that overlap: their writes are never held back.
+    /// Fields with two own views that overlap, or accessed without a check: their values are never held back.
     pub(crate) overlapping: Vec<usize>,
     /// The offsets to check once a launch.
     pub(crate) reach: Reach,
@@ -234,8 +234,12 @@ pub(crate) fn plan(kernel: &Kernel, number: usize) -> Plan {
     for field in &parallel.shapes {
         plan.fields.insert(*field, false);
     }
+    for (field, changes) in &parallel.unchecked {
+        *plan.fields.entry(*field).or_default() |= changes;
+        plan.overlapping.push(*field);
+    }
     if let Some(field) = parallel.head.field() {
-        plan.fields.insert(field, false);
+        plan.fields.entry(field).or_default();
     }
     for &node in &parallel.accesses {
         let access = kernel.access(node);

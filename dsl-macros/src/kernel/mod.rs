@@ -6,6 +6,7 @@ mod expand;
 mod lower;
 mod model;
 mod parse;
+mod slices;
 mod syntax;
 #[cfg(test)]
 mod tests;
@@ -42,7 +43,7 @@ pub(crate) fn expand(options: TokenStream, item: TokenStream) -> TokenStream {
     let kernel = lower::lower(function.clone(), options);
     check::check(&kernel, &mut diagnostics);
     if !diagnostics.is_empty() {
-        let function = expand::fallback(function);
+        let function = expand::fallback(function, kernel.unchecked);
         let errors = diagnostics.into_compile_errors();
         return quote!(#errors #function);
     }

@@ -3,7 +3,7 @@
 //! The body stays Rust's syntax tree; whatever belongs to the language in it is replaced by a placeholder that names a
 //! [`Node`]. Back-ends read this model and nothing else.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Literal, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
@@ -21,6 +21,8 @@ pub(crate) struct Kernel {
     pub(crate) function: ItemFn,
     /// The options in `#[kernel(..)]`.
     pub(crate) options: TokenStream,
+    /// Whether callers promise that indices lie within their fields.
+    pub(crate) unchecked: bool,
     /// The parameters that are fields.
     pub(crate) fields: Vec<FieldParam>,
     /// What the placeholders stand for.
@@ -49,15 +51,41 @@ pub(crate) enum Suspicion {
     Random { parallel: usize, arguments: Spot, call: Spot },
 }
 
-/// A parameter that is a field.
+/// A parameter that is a field, or used as one.
 pub(crate) struct FieldParam {
     pub(crate) name: Ident,
+    pub(crate) storage: Storage,
     /// `&mut Field` or `&Field`.
     pub(crate) mutable: bool,
     /// The number of axes, where the type tells.
     pub(crate) rank: Option<usize>,
     /// The type as written.
     pub(crate) ty: Type,
+}
+
+/// What holds the elements of a parameter that is indexed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Storage {
+    /// `Field<R, L, X>`.
+    Field,
+    /// `Member<T, L, X>`: one member of any record.
+    Member,
+    /// `[T]`.
+    Slice,
+    /// What bears `#[field]` under another name.
+    Alias,
+}
+
+impl Storage {
+    /// Whether its type alone says what an index names, so that the expansion must ask it.
+    pub(crate) fn is_opaque(self) -> bool {
+        matches!(self, Storage::Member | Storage::Alias)
+    }
+
+    /// Whether its elements have no members that could be named.
+    pub(crate) fn is_single(self) -> bool {
+        matches!(self, Storage::Member | Storage::Slice)
+    }
 }
 
 /// The user's tokens for a message.
@@ -93,6 +121,8 @@ pub(crate) enum Node {
     Macro(MacroCall),
     /// `f.len()` and its like inside a parallel loop.
     FieldCall(FieldCall),
+    /// `f.get_unchecked(index)` or `f.set_unchecked(index, value)`.
+    Unchecked(Box<UncheckedAccess>),
     /// An accumulation into a variable of the top level.
     Reduce(Reduce),
     /// A `break` or `continue` of a parallel or unrolled loop.
@@ -272,6 +302,8 @@ pub(crate) struct Loop {
     pub(crate) continues: bool,
     /// Fields used only through `len`, `shape` or an inner loop's head.
     pub(crate) shapes: BTreeSet<usize>,
+    /// Fields accessed without a check, and whether they are written so.
+    pub(crate) unchecked: BTreeMap<usize, bool>,
 }
 
 /// A loop inside a parallel loop.
@@ -395,6 +427,17 @@ pub(crate) enum MacroArguments {
     Matches { value: Box<Expr>, pattern: Box<syn::Pat>, guard: Option<Box<Expr>> },
 }
 
+/// An access that is neither checked nor judged: its `unsafe` block answers for it.
+pub(crate) struct UncheckedAccess {
+    pub(crate) field: usize,
+    pub(crate) path: Vec<Ident>,
+    pub(crate) index: Expr,
+    /// What is written.
+    pub(crate) value: Option<Expr>,
+    /// The whole call.
+    pub(crate) spot: Spot,
+}
+
 /// A call of a field's method inside a parallel loop.
 pub(crate) struct FieldCall {
     pub(crate) field: usize,
@@ -506,7 +549,7 @@ pub(crate) enum Upon {
 }
 
 /// How a variable from outside is assigned.
-#[derive(PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Assigned {
     /// `x = ..`, or a part of it.
     Plain,

@@ -3,8 +3,9 @@
 use proc_macro2::TokenStream;
 use syn::{AttrStyle, FnArg, ItemFn, Pat, Type};
 
-use super::model::FieldParam;
-use super::syntax::{axes_rank, last_segment, type_arguments};
+use super::model::{FieldParam, Storage};
+use super::slices;
+use super::syntax::{axes_rank, bare_type, last_segment, type_arguments};
 use crate::diagnostics::{Code, Diagnostics};
 
 /// Reads the function; what has no body or is no function is reported.
@@ -33,25 +34,46 @@ pub(super) fn parse(item: TokenStream, diagnostics: &mut Diagnostics) -> Option<
     }
 }
 
-/// The parameters that are fields taken by reference, as far as their types tell.
+/// The parameters that are fields taken by reference, or used as such, as far as their types tell.
 pub(super) fn fields(function: &ItemFn) -> Vec<FieldParam> {
-    function.sig.inputs.iter().filter_map(field).collect()
+    function.sig.inputs.iter().filter_map(|argument| field(argument, &function.block)).collect()
 }
 
-fn field(argument: &FnArg) -> Option<FieldParam> {
+fn field(argument: &FnArg, body: &syn::Block) -> Option<FieldParam> {
     let FnArg::Typed(argument) = argument else { return None };
     let Pat::Ident(name) = &*argument.pat else { return None };
-    let Type::Reference(reference) = &*argument.ty else { return None };
-    let segment = last_segment(&reference.elem).filter(|segment| segment.ident == "Field")?;
-    let rank = match type_arguments(segment).as_slice() {
-        [_] | [_, _] => Some(1),
-        [_, _, axes, ..] => axes_rank(axes),
-        [] => None,
+    let ty = bare_type(&argument.ty);
+    let Type::Reference(reference) = ty else { return None };
+    let storage = storage(&reference.elem, is_marked(argument), || slices::is_field(body, &name.ident))?;
+    let rank = match (storage, last_segment(&reference.elem).map(type_arguments).as_deref()) {
+        (Storage::Slice, _) | (Storage::Field | Storage::Member, Some([_] | [_, _])) => Some(1),
+        (Storage::Field | Storage::Member, Some([_, _, axes, ..])) => axes_rank(axes),
+        _ => None,
     };
     Some(FieldParam {
         name: name.ident.clone(),
+        storage,
         mutable: reference.mutability.is_some(),
         rank,
-        ty: (*argument.ty).clone(),
+        ty: ty.clone(),
     })
+}
+
+/// Whether a parameter bears `#[field]`.
+pub(super) fn is_marked(parameter: &syn::PatType) -> bool {
+    parameter.attrs.iter().any(|attribute| attribute.path().is_ident("field"))
+}
+
+/// What a type holds; `None` if it is no field. A slice is one where it is used as one.
+pub(super) fn storage(ty: &Type, marked: bool, used: impl FnOnce() -> bool) -> Option<Storage> {
+    if let Type::Slice(_) = bare_type(ty) {
+        return (marked || used()).then_some(Storage::Slice);
+    }
+    let segment = last_segment(ty);
+    match segment.map(|segment| segment.ident.to_string()).as_deref() {
+        Some("Field") => Some(Storage::Field),
+        // A type of that name without parameters is the user's own.
+        Some("Member") if segment.is_some_and(|segment| !segment.arguments.is_none()) => Some(Storage::Member),
+        _ => marked.then_some(Storage::Alias),
+    }
 }

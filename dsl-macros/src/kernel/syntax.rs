@@ -133,6 +133,17 @@ pub(crate) fn pattern_macros(pat: &Pat) -> Vec<syn::Macro> {
     macros.0
 }
 
+/// The type inside parentheses and the invisible groups that macros leave.
+pub(crate) fn bare_type(mut ty: &Type) -> &Type {
+    loop {
+        ty = match ty {
+            Type::Paren(paren) => &paren.elem,
+            Type::Group(group) => &group.elem,
+            _ => return ty,
+        };
+    }
+}
+
 /// The last segment of a type's path.
 pub(crate) fn last_segment(ty: &Type) -> Option<&syn::PathSegment> {
     match ty {

@@ -12,6 +12,7 @@ mod parallel;
 mod parts;
 mod reduce;
 mod scan;
+pub(crate) mod source;
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -21,10 +22,12 @@ pub use error::{OutOfRange, ShapeError, ShapeMismatch};
 pub use file::{FileError, FileFault};
 pub use finite::NonFinite;
 pub use host::Records;
+pub(crate) use host::out_of_range;
 pub use member::{Member, MemberMut};
 pub use order::{Permutation, PermutationError};
 pub use parallel::ParallelRecords;
 pub use scan::ScanOverflow;
+pub use source::{AnyMember, AnyMemberMut, Source, SourceMut};
 
 use crate::axes::{Axes, I, MAX_AXES, Shape};
 use crate::index::{IntoIndex, within};
@@ -58,7 +61,8 @@ pub struct Field<R, L, X = I> {
 pub struct Handle<'a, R, L, X> {
     pub(crate) root: *mut u8,
     pub(crate) geometry: Geometry,
-    pub(crate) spare: &'a Mutex<Vec<Memory>>,
+    /// Where private copies of the field are kept between launches; nowhere for memory that is no field's.
+    pub(crate) spare: Option<&'a Mutex<Vec<Memory>>>,
     marker: PhantomData<(R, L, X)>,
 }
 
@@ -75,6 +79,14 @@ impl<R, L, X> Copy for Handle<'_, R, L, X> {}
 unsafe impl<R, L, X> Send for Handle<'_, R, L, X> {}
 // SAFETY: as above.
 unsafe impl<R, L, X> Sync for Handle<'_, R, L, X> {}
+
+impl<R, L, X> Handle<'_, R, L, X> {
+    /// A handle for the elements of a slice.
+    #[inline]
+    pub(crate) fn of_slice(root: *mut u8, geometry: Geometry) -> Self {
+        Self { root, geometry, spare: None, marker: PhantomData }
+    }
+}
 
 impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     /// The same geometry at another address, where as many bytes lie.
@@ -184,7 +196,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     /// A handle for reading, while `self` is borrowed; or for writing, where the caller holds `&mut`.
     #[inline(always)]
     pub(crate) fn handle(&self) -> Handle<'_, R, L, X> {
-        Handle { root: self.memory.start(), geometry: self.geometry, spare: &self.spare, marker: PhantomData }
+        Handle { root: self.memory.start(), geometry: self.geometry, spare: Some(&self.spare), marker: PhantomData }
     }
 
     /// Elements along each axis.

@@ -53,8 +53,8 @@ where
         type Value<R, const M: usize> = <<R as Record>::Elements as At<M>>::Element;
         let handle = self.handle();
         let (shape, len) = (handle.geometry.shape, handle.geometry.len());
-        // Not `ZERO`, which is -0.0 for floats.
-        let zero = Value::<R, M>::ONE.minus(Value::<R, M>::ONE);
+        // Not `EMPTY_SUM`, which is -0.0 for floats.
+        let zero = Value::<R, M>::EMPTY_PRODUCT.minus(Value::<R, M>::EMPTY_PRODUCT);
         let values = |part| {
             // SAFETY: places lie within the shape; this member is ours alone, and nobody writes it while it is read.
             Places::<I>::part(shape, part).map(|at| unsafe { handle.read::<Tag<R, M>>(at) })

@@ -187,7 +187,7 @@ impl Whole {
 
 /// What an access names: a member, or the whole record.
 #[doc(hidden)]
-pub trait Path<R: Record>: Copy + sealed::Path + 'static {
+pub trait Path<R: Record>: Copy + Send + Sync + sealed::Path + 'static {
     /// The value there.
     type Value: Copy + Send + Sync + 'static;
     /// The one member that holds the value, if it is one.

@@ -79,10 +79,20 @@ impl<R: Record, L: Layout<X>, X: Axes> Target<'_, '_, R, L, X> {
         same.then_some((first.kind, op, first.scalar))
     }
 
+    /// The scalars of a memory that is one line. A slice ends with its last element, a field somewhere behind it.
+    fn scalars(&self, scalar: usize) -> usize {
+        let streams = Map::<R, L, X>::STREAMS;
+        if Map::<R, L, X>::FLAT && streams.count == 1 {
+            self.handle.geometry.cells * streams.streams[0].repeats * (streams.streams[0].item / scalar)
+        } else {
+            self.bytes() / scalar
+        }
+    }
+
     /// The lines of cells that make up a part: offset of the first scalar, distance and number of scalars.
     fn lines(&self, part: usize, mut line: impl FnMut(Line)) {
         if let Some((kind, op, scalar)) = self.uniform() {
-            let scalars = self.bytes() / scalar;
+            let scalars = self.scalars(scalar);
             let first = part * PART;
             line(Line { kind, op, offset: first * scalar, step: scalar, count: PART.min(scalars - first) });
             return;
@@ -131,7 +141,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Scattered for Target<'_, '_, R, L, X> {
     }
 
     fn borrow_copy(&self) -> Memory {
-        let spare = self.handle.spare.lock().unwrap_or_else(PoisonError::into_inner).pop();
+        let spare = self.handle.spare.and_then(|spare| spare.lock().unwrap_or_else(PoisonError::into_inner).pop());
         let copy = spare.unwrap_or_else(|| Memory::zeroed_or_abort(self.bytes(), Map::<R, L, X>::LINE));
         if self.members.iter().any(|&(_, op)| !op.identity_is_zero()) {
             for part in 0..self.parts() {
@@ -149,12 +159,14 @@ impl<R: Record, L: Layout<X>, X: Axes> Scattered for Target<'_, '_, R, L, X> {
                 self.lines(part, |line| unsafe { set_line(copy.start(), line, false) });
             }
         }
-        self.handle.spare.lock().unwrap_or_else(PoisonError::into_inner).push(copy);
+        if let Some(spare) = self.handle.spare {
+            spare.lock().unwrap_or_else(PoisonError::into_inner).push(copy);
+        }
     }
 
     fn parts(&self) -> usize {
         if let Some((_, _, scalar)) = self.uniform() {
-            return (self.bytes() / scalar).div_ceil(PART);
+            return self.scalars(scalar).div_ceil(PART);
         }
         let (leaves, cells) = self.leaves();
         if Map::<R, L, X>::FLAT { cells.div_ceil(PART) } else { leaves.div_ceil((PART / cells).max(1)) }

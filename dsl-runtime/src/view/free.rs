@@ -50,6 +50,8 @@ pub trait Places: Copy {
     const COUNT: usize;
     /// The loop variables that stand in them, as bits.
     const VARIABLES: u32;
+    /// Whether the index must be checked against the shape. Only one that was promised to lie within needs no check.
+    const CHECKED: bool = true;
     /// The coordinates.
     fn coordinates<S: Space>(self, cell: &Cell<'_, S>) -> [i64; MAX_AXES];
 }
@@ -99,6 +101,12 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> OwnFree<'a, R, L, X, P> {
             assert!(A::VARIABLES == (1 << S::RANK) - 1, "every loop variable stands in a place of an own index");
         }
         let at = places.coordinates(cell);
+        if !A::CHECKED {
+            return at.map(
+                #[inline(always)]
+                |c| c as u32,
+            );
+        }
         let Some(at) = within::<X>(at, &self.handle.geometry.shape) else {
             self.site.out_of_range(&at[..X::RANK], &self.handle.geometry.shape[..X::RANK])
         };

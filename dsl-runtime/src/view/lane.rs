@@ -64,9 +64,16 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
     /// Where it does not.
     #[inline(always)]
     #[track_caller]
-    pub(super) fn locate(&self, index: impl IntoIndex<X>) -> [u32; MAX_AXES] {
+    pub(super) fn locate<T: IntoIndex<X>>(&self, index: T) -> [u32; MAX_AXES] {
         let at = index.coordinates();
-        let Some(at) = crate::index::within::<X>(at, &self.handle.geometry.shape) else {
+        let shape = &self.handle.geometry.shape;
+        if !T::CHECKED {
+            return crate::axes::per_axis(
+                #[inline(always)]
+                |a| at[a] as u32,
+            );
+        }
+        let Some(at) = crate::index::within::<X>(at, shape) else {
             self.site.out_of_range(&at[..X::RANK], &self.handle.geometry.shape[..X::RANK])
         };
         at

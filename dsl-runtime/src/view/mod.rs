@@ -12,6 +12,7 @@ use core::fmt;
 pub use accumulate::Accumulate;
 pub use accumulate::negative;
 pub use base::Based;
+pub(crate) use free::Places;
 pub use free::{Free, Var};
 pub use read::Read;
 pub use row::{Buffer, Held, Own, Row, buffer};
@@ -19,8 +20,8 @@ pub use row::{Buffer, Held, Own, Row, buffer};
 pub use free::OwnFree;
 
 use crate::axes::{Axes, MAX_AXES};
-use crate::element::Element;
-use crate::field::{Field, Handle};
+use crate::element::{Element, Packed};
+use crate::field::{Handle, Source, SourceMut};
 use crate::launch::{Border, Run, Space, Task};
 use crate::layout::Layout;
 use crate::record::{Path, Record};
@@ -73,28 +74,38 @@ impl<R, L, X, const WRITE: bool> fmt::Debug for View<'_, R, L, X, WRITE> {
 /// A field that a loop only reads.
 #[doc(hidden)]
 #[inline(always)]
-pub fn shared<'a, R: Record, L: Layout<X>, X: Axes>(
-    field: &'a Field<R, L, X>,
+pub fn shared<'a, S: Source + ?Sized>(
+    field: &'a S,
     site: &'static Site,
-) -> View<'a, R, L, X, false> {
+) -> View<'a, S::Record, S::Layout, S::Axes, false> {
     View { handle: field.handle(), site }
 }
 
 /// A field that a loop changes.
 #[doc(hidden)]
 #[inline(always)]
-pub fn exclusive<'a, R: Record, L: Layout<X>, X: Axes>(
-    field: &'a mut Field<R, L, X>,
+pub fn exclusive<'a, S: SourceMut + ?Sized>(
+    field: &'a mut S,
     site: &'static Site,
-) -> View<'a, R, L, X, true> {
-    View { handle: field.handle(), site }
+) -> View<'a, S::Record, S::Layout, S::Axes, true> {
+    View { handle: field.handle_mut(), site }
 }
+
+/// Refuses a slice that is no field, at its type.
+#[doc(hidden)]
+pub fn assert_packed<T: Packed>() {}
 
 impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, WRITE> {
     /// The names of its members.
     #[inline(always)]
     pub fn tags(&self) -> R::Tags {
         R::TAGS
+    }
+
+    /// Which member a path names.
+    #[inline(always)]
+    pub fn member<P: Path<R>>(&self, _: P) -> usize {
+        P::MEMBER.expect("an element is one member")
     }
 
     /// Elements in all.
@@ -140,6 +151,35 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
         Based::around(&self.handle.geometry, base.coordinates(), [low; MAX_AXES], [high; MAX_AXES])
     }
 
+    /// Reads a path at an index, whatever else the loop does there.
+    ///
+    /// # Safety
+    /// The index lies within the shape, and no other iteration writes the element meanwhile.
+    #[inline(always)]
+    pub unsafe fn get_unchecked<P: Path<R>>(self, _: P, index: impl crate::index::IntoIndex<X>) -> P::Value {
+        let at = self.promised(index);
+        // SAFETY: as the caller promises.
+        unsafe { self.handle.read::<P>(at) }
+    }
+
+    /// The coordinates of an index that a caller has promised to lie within the shape; checked with debug assertions.
+    #[inline(always)]
+    fn promised(&self, index: impl crate::index::IntoIndex<X>) -> [u32; MAX_AXES] {
+        let at = index.coordinates();
+        debug_assert!(
+            crate::index::within::<X>(at, &self.handle.geometry.shape).is_some(),
+            "kernel `{}`: index {:?} is out of range of field `{}`, whose shape is {:?}",
+            self.site.kernel,
+            &at[..X::RANK],
+            self.site.field,
+            self.shape()
+        );
+        at.map(
+            #[inline(always)]
+            |c| c as u32,
+        )
+    }
+
     /// The field around `base`, if all of `base + low` to `base + high` lies within it.
     #[inline(always)]
     pub fn based<const N: usize>(
@@ -168,6 +208,17 @@ impl<'a, R: Record, L: Layout<X>, X: Axes> View<'a, R, L, X, true> {
         buffer: &'b Buffer<P::Value>,
     ) -> Held<'a, 'b, R, L, X, P, S> {
         Held::new(self.handle, self.site, run, buffer)
+    }
+
+    /// Writes a path at an index, whatever else the loop does there.
+    ///
+    /// # Safety
+    /// The index lies within the shape, and no other iteration reads or writes the element meanwhile.
+    #[inline(always)]
+    pub unsafe fn set_unchecked<P: Path<R>>(self, _: P, index: impl crate::index::IntoIndex<X>, value: P::Value) {
+        let at = self.promised(index);
+        // SAFETY: as the caller promises.
+        unsafe { self.handle.write::<P>(at, value) }
     }
 
     /// A view that reads and writes a path where an index contains the loop's variables.

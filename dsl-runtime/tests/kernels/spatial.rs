@@ -1,6 +1,7 @@
 //! One record and one kernel for two and three axes, single and double precision.
 
 use allotrope::prelude::*;
+use allotrope::spatial::*;
 
 /// A material point.
 #[derive(Record, Clone, Copy, Default, Debug, PartialEq)]
@@ -21,7 +22,7 @@ struct Node<X: Spatial, T: Real> {
 fn weights<X: Spatial, T: Real>(fx: X::Vec<T>) -> [X::Vec<T>; 3] {
     let real = T::from_f64;
     let square = |v: X::Vec<T>| v * v;
-    let half = <X::Vec<T> as allotrope::Vector<T, X>>::splat(real(0.5));
+    let half = <X::Vec<T> as Vector<T, X>>::splat(real(0.5));
     [square(-fx + real(1.5)) * half, -square(fx - real(1.0)) + real(0.75), square(fx - real(0.5)) * half]
 }
 
@@ -166,7 +167,6 @@ fn points_beyond_the_grid_are_errors() {
 #[test]
 fn functions_of_vectors_and_matrices() {
     fn run<X: Spatial, T: Real>() {
-        use allotrope::{IndexVector, Matrix, Vector};
         let real = T::from_f64;
         let mut v = <X::Vec<T> as Vector<T, X>>::splat(real(2.0));
         v[0] = real(-1.5);

@@ -69,7 +69,7 @@ fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
         }
         What::BoundaryArguments { field, name } => {
             let (takes, example) = match name.as_str() {
-                "or" => ("an index and a value", "(i, j), 0.0"),
+                "or" | "set_unchecked" => ("an index and a value", "(i, j), 0.0"),
                 _ => ("one index", "(i, j)"),
             };
             diagnostics

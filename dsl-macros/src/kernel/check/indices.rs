@@ -2,9 +2,11 @@
 
 use std::collections::BTreeSet;
 
+use syn::Ident;
+
 use super::super::syntax::{bare, integer, name_of, parts};
 use crate::diagnostics::{Code, Diagnostics};
-use crate::kernel::model::{Access, Head, Kernel, Loop, Node, Place};
+use crate::kernel::model::{Access, Head, Kernel, Loop, Node, Place, Spot, Storage};
 use crate::kernel::text::{text, type_text};
 
 pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
@@ -13,10 +15,21 @@ pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
     }
     let mut told = BTreeSet::new();
     for node in &kernel.nodes {
-        let Node::Access(access) = node else { continue };
+        let access = match node {
+            Node::Access(access) => access,
+            Node::Unchecked(access) => {
+                member_of_member(kernel, access.field, &access.path, diagnostics);
+                if access.value.is_some() && !kernel.fields[access.field].mutable && told.insert(access.field) {
+                    shared_write(kernel, access.field, &access.spot, diagnostics);
+                }
+                continue;
+            }
+            _ => continue,
+        };
         count(kernel, access, diagnostics);
+        member_of_member(kernel, access.field, &access.path, diagnostics);
         if access.changes() && !kernel.fields[access.field].mutable && told.insert(access.field) {
-            shared_write(kernel, access, diagnostics);
+            shared_write(kernel, access.field, &access.spot, diagnostics);
         }
         if let Some(number) = access.parallel {
             border(&kernel.loops[number], access, diagnostics);
@@ -89,18 +102,34 @@ fn count(kernel: &Kernel, access: &Access, diagnostics: &mut Diagnostics) {
             format!("`{name}` has {}, and the index `{index}` names {found}", axes(rank)),
         );
         error.note(format!("the type of `{name}` is `{}`", type_text(&field.ty)));
-        error.help(format!(
-            "write `{name}[{}]`; the third parameter of `Field` says its axes: `O` (none), `I` (the default), `Ij`, `Ijk`, `Ijkl`",
-            example(rank)
-        ));
+        error.help(match field.storage {
+            Storage::Slice => format!("write `{name}[{}]`", example(rank)),
+            storage => format!(
+                "write `{name}[{}]`; the third parameter of `{}` says its axes: `O` (none), `I` (the default), `Ij`, `Ijk`, `Ijkl`",
+                example(rank),
+                if storage == Storage::Member { "Member" } else { "Field" }
+            ),
+        });
     }
 }
 
-fn shared_write(kernel: &Kernel, access: &Access, diagnostics: &mut Diagnostics) {
-    let field = &kernel.fields[access.field];
+/// A member is named where the elements have none.
+fn member_of_member(kernel: &Kernel, field: usize, path: &[Ident], diagnostics: &mut Diagnostics) {
+    let field = &kernel.fields[field];
+    let (Some(first), true) = (path.first(), field.storage.is_single()) else { return };
+    let (name, ty) = (&field.name, type_text(&field.ty));
+    let what = if field.storage == Storage::Slice { "a slice" } else { "a single member" };
+    diagnostics
+        .error(Code::MemberOfMember, first, format!("`{name}` is {what}, and has no member `{first}`"))
+        .note(format!("the type of `{name}` is `{ty}`"))
+        .help(format!("write `{name}[..]` for its elements, and `{name}[..].{first}` for a part of one; for whole records, take a `Field`"));
+}
+
+fn shared_write(kernel: &Kernel, field: usize, spot: &Spot, diagnostics: &mut Diagnostics) {
+    let field = &kernel.fields[field];
     let (name, ty) = (&field.name, type_text(&field.ty));
     diagnostics
-        .error(Code::SharedWrite, &access.spot.tokens, format!("`{name}` is written, and its parameter is `{ty}`"))
+        .error(Code::SharedWrite, &spot.tokens, format!("`{name}` is written, and its parameter is `{ty}`"))
         .help(format!("write `{name}: {}`", ty.replacen('&', "&mut ", 1)));
 }
 

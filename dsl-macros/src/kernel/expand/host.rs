@@ -1,18 +1,20 @@
 //! Accesses at the top level and in serial loops: any index, checked.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{quote, quote_spanned};
 
 use super::names::{Ends, hidden, private, span, tag};
 use super::rewrite::Rewrite;
 use super::views::change;
-use crate::kernel::model::{Access, Action, Boundary};
+use crate::kernel::model::{Access, Action, Boundary, UncheckedAccess};
 
 /// Reads, writes or changes one element.
 pub(super) fn access(rewrite: &Rewrite<'_>, access: &Access) -> TokenStream {
     let private = private();
-    let field = &rewrite.kernel.fields[access.field].name;
-    let tag = tag(&quote!(#private::tags(&*#field)), &access.path);
+    let parameter = &rewrite.kernel.fields[access.field];
+    let field = &parameter.name;
+    let (tags, whole) = (quote!(#private::tags(&*#field)), quote!(#private::path(&*#field)));
+    let tag = tag(parameter, &tags, &whole, &access.path);
     let index = rewrite.expr(&access.index);
     let ends = Ends::of(&access.target);
     let (part, value) = match &access.action {
@@ -49,10 +51,26 @@ pub(super) fn access(rewrite: &Rewrite<'_>, access: &Access) -> TokenStream {
     })
 }
 
+/// `f.get_unchecked(index)` and `f.set_unchecked(index, value)`: the user's `unsafe` block is around them.
+pub(super) fn unchecked_access(rewrite: &Rewrite<'_>, access: &UncheckedAccess) -> TokenStream {
+    let private = private();
+    let parameter = &rewrite.kernel.fields[access.field];
+    let field = &parameter.name;
+    let (tags, whole) = (quote!(#private::tags(&*#field)), quote!(#private::path(&*#field)));
+    let (tag, index) = (tag(parameter, &tags, &whole, &access.path), rewrite.expr(&access.index));
+    let ends = Ends::of(&access.spot);
+    let Some(value) = &access.value else {
+        return ends.read(function(&ends, "get_unchecked", quote!(&*#field, #tag, #index)));
+    };
+    // What comes first may read the field, which the write borrows.
+    let (new, path, at, value) = (hidden("value"), hidden("path"), hidden("at"), rewrite.expr(value));
+    let write = function(&ends, "set_unchecked", quote!(&mut *#field, #path, #at, #new));
+    quote!({ let (#path, #at, #new) = (#tag, #index, #value); #write })
+}
+
 /// A call of a private function, at the user's tokens.
 fn function(ends: &Ends, name: &str, arguments: TokenStream) -> TokenStream {
-    let private = private();
     let name = Ident::new(name, ends.first);
     let arguments = ends.group(arguments, ends.last);
-    quote!(#private::#name #arguments)
+    quote_spanned!(ends.first=> ::allotrope::__private::#name #arguments)
 }

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 use syn::Expr;
 
-use super::names::{handle, hidden, label, numbered, plain, private, span, tag};
+use super::names::{self, handle, hidden, label, numbered, plain, private, span};
 use super::rewrite::{Rewrite, Scope};
 use super::{captures, reductions};
 use crate::kernel::access::{Plan, View, plan};
@@ -40,7 +40,8 @@ impl Launch<'_> {
         let planned = &self.plan.views[number];
         let own = self.parallel.head.field() == Some(planned.field);
         let row = matches!(&planned.view, View::Row(offset) if offset.iter().all(|o| *o == 0));
-        (own && row && !self.plan.light).then(|| numbered("h", number))
+        let plain = !self.plan.overlapping.contains(&planned.field);
+        (own && row && plain && !self.plan.light).then(|| numbered("h", number))
     }
 
     /// The base and offset of an access, where a base is checked.
@@ -117,12 +118,23 @@ impl Launch<'_> {
             let field = &self.kernel.fields[*number];
             let (handle, name, text) = (handle(field), &field.name, plain(&field.name));
             let site = quote!(&#private::Site { kernel: #kernel, field: #text });
+            let path = field.storage.is_opaque().then(|| {
+                let path = names::path(field);
+                quote!(let #path = #private::path(&*#name);)
+            });
             match changes {
-                true => quote!(let #handle = #private::exclusive(&mut *#name, #site);),
-                false => quote!(let #handle = #private::shared(&*#name, #site);),
+                true => quote!(#path let #handle = #private::exclusive(&mut *#name, #site);),
+                false => quote!(#path let #handle = #private::shared(&*#name, #site);),
             }
         });
         handles.collect()
+    }
+
+    /// The tag of a member.
+    pub(super) fn tag(&self, field: usize, path: &[Ident]) -> TokenStream {
+        let field = &self.kernel.fields[field];
+        let (handle, whole) = (handle(field), names::path(field).to_token_stream());
+        names::tag(field, &quote!(#handle.tags()), &whole, path)
     }
 
     /// What is evaluated before the loop takes its fields, and the space.
@@ -186,7 +198,14 @@ impl Launch<'_> {
                 quote!(#space.fits(#handle, #low, #high))
             })
             .collect();
-        if checks.is_empty() { (quote!(true), true) } else { (quote!(#(#checks)&&*), false) }
+        if checks.is_empty() {
+            return (quote!(true), true);
+        }
+        if self.kernel.unchecked {
+            let unchecked = names::unchecked();
+            return (quote!(#unchecked.fits(|| #(#checks)&&*)), false);
+        }
+        (quote!(#(#checks)&&*), false)
     }
 
     /// Offsets as an array; none stand for zeros over an unknown number of axes.
@@ -214,8 +233,10 @@ impl Launch<'_> {
         let targets = self.plan.targets.iter().enumerate().map(|(slot, (field, members))| {
             let handle = handle(&self.kernel.fields[*field]);
             let members = members.iter().map(|(path, group)| {
-                let (tag, op) = (tag(&quote!(#handle.tags()), path), op(*group));
-                quote!((#tag.index(), #private::Op::#op))
+                let (tag, op) = (self.tag(*field, path), op(*group));
+                let opaque = path.is_empty() && self.kernel.fields[*field].storage.is_opaque();
+                let member = if opaque { quote!(#handle.member(#tag)) } else { quote!(#tag.index()) };
+                quote!((#member, #private::Op::#op))
             });
             quote!(&#handle.target(#slot, &[#(#members),*]))
         });
@@ -243,7 +264,7 @@ impl Launch<'_> {
         let task = hidden("task");
         let views = self.plan.views.iter().enumerate().map(|(number, planned)| {
             let (name, handle) = (self.view_name(number), handle(&self.kernel.fields[planned.field]));
-            let tag = tag(&quote!(#handle.tags()), &planned.path);
+            let tag = self.tag(planned.field, &planned.path);
             match planned.view {
                 View::Any => quote!(let #name = #handle.read(#tag);),
                 View::OwnFree => quote!(let #name = #handle.own_free(&#task, #tag);),
@@ -264,7 +285,7 @@ impl Launch<'_> {
         let (mut views, mut flushes, mut hoists) = (TokenStream::new(), TokenStream::new(), TokenStream::new());
         for (number, planned) in self.plan.views.iter().enumerate() {
             let (name, handle) = (self.view_name(number), handle(&self.kernel.fields[planned.field]));
-            let tag = tag(&quote!(#handle.tags()), &planned.path);
+            let tag = self.tag(planned.field, &planned.path);
             match &planned.view {
                 View::Own if self.plan.light && !self.plan.overlapping.contains(&planned.field) => {
                     let (buffer, private) = (numbered("buffer", number), private());

@@ -21,15 +21,22 @@ use super::model::Kernel;
 pub(super) fn expand(kernel: &Kernel, first: TokenStream) -> TokenStream {
     let mut function = kernel.function.clone();
     signature::open_layouts(&mut function.sig);
+    let unchecked = kernel.unchecked.then(|| {
+        let (unchecked, private) = (names::unchecked(), names::private());
+        // What the caller promises concerns indices alone: an unsafe operation of the body needs a block of its own.
+        function.attrs.push(parse_quote!(#[forbid(unsafe_op_in_unsafe_fn)]));
+        function.sig.unsafety = Some(Default::default());
+        quote!(let #unchecked = unsafe { #private::Unchecked::promised() };)
+    });
     let rewrite = Rewrite { kernel, scope: Scope::Host };
-    let body = rewrite.statements(&kernel.function.block);
+    let (slices, body) = (signature::assert_slices(kernel), rewrite.statements(&kernel.function.block));
     let ItemFn { attrs, vis, sig, .. } = function;
     // Expanded accesses stand at the user's tokens, so that lints could take their parentheses for the user's.
-    quote!(#(#attrs)* #[allow(unused_parens, clippy::deref_addrof)] #vis #sig { #first #body })
+    quote!(#(#attrs)* #[allow(unused_parens, clippy::deref_addrof)] #vis #sig { #first #unchecked #slices #body })
 }
 
 /// A function of the same type that does nothing, for a kernel with errors: so that its callers have none.
-pub(super) fn fallback(mut function: ItemFn) -> TokenStream {
+pub(super) fn fallback(mut function: ItemFn, unchecked: bool) -> TokenStream {
     signature::open_layouts(&mut function.sig);
     for input in &mut function.sig.inputs {
         if let FnArg::Typed(parameter) = input
@@ -37,6 +44,9 @@ pub(super) fn fallback(mut function: ItemFn) -> TokenStream {
         {
             name.mutability = None;
         }
+    }
+    if unchecked {
+        function.sig.unsafety = Some(Default::default());
     }
     function.attrs.retain(|attribute| attribute.path().is_ident("cfg"));
     function.attrs.push(parse_quote!(#[allow(unused, missing_docs, clippy::all)]));

@@ -32,19 +32,31 @@ pub(super) fn handle(field: &FieldParam) -> Ident {
     hidden(&format!("field_{}", plain(&field.name)))
 }
 
+/// The promise of an unchecked kernel's caller.
+pub(super) fn unchecked() -> Ident {
+    hidden("unchecked")
+}
+
 /// A name without `r#`.
 pub(super) fn plain(name: &Ident) -> String {
     let text = name.to_string();
     text.strip_prefix("r#").map(str::to_owned).unwrap_or(text)
 }
 
-/// The tag of a member, from the expression for the field's tags.
-pub(super) fn tag(tags: &TokenStream, path: &[Ident]) -> TokenStream {
-    if path.is_empty() {
+/// The local that holds what an index of a parameter names, where its type alone tells.
+pub(super) fn path(field: &FieldParam) -> Ident {
+    hidden(&format!("path_{}", plain(&field.name)))
+}
+
+/// The tag of a member, from the expression for the field's tags; `whole` where only the type tells what an index names.
+pub(super) fn tag(field: &FieldParam, tags: &TokenStream, whole: &TokenStream, path: &[Ident]) -> TokenStream {
+    if !path.is_empty() {
+        quote!(#tags #(.#path)*)
+    } else if field.storage.is_opaque() {
+        whole.clone()
+    } else {
         let private = private();
         quote!(#private::Whole)
-    } else {
-        quote!(#tags #(.#path)*)
     }
 }
 

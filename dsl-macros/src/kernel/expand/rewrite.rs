@@ -64,6 +64,8 @@ impl Rewrite<'_> {
         match (&self.kernel.nodes[node], self.scope) {
             (Node::Access(access), Scope::Host) => host::access(self, access),
             (Node::Access(access), Scope::Parallel(launch)) => views::access(self, launch, node, access),
+            (Node::Unchecked(access), Scope::Host) => host::unchecked_access(self, access),
+            (Node::Unchecked(access), Scope::Parallel(launch)) => views::unchecked_access(self, launch, access),
             (Node::Launch(number), _) => launch::launch(self.kernel, *number),
             (Node::Indices(indices), _) => self.indices(&indices.head, indices),
             (Node::Unroll(repeat), _) => unroll::unroll(self, node, repeat),

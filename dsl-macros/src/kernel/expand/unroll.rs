@@ -72,7 +72,7 @@ fn over_axes(rewrite: &Rewrite<'_>, node: usize, repeat: &Unroll, axes: &syn::Pa
     let length = Literal::u32_unsuffixed(end.saturating_sub(start).max(0).unsigned_abs());
     let low = literal(start, "i32");
     quote! {
-        <#axes as ::allotrope::Spatial>::#method::<#length>(
+        <#axes as ::allotrope::spatial::Spatial>::#method::<#length>(
             #low,
             #[inline(always)]
             |#index| #step { #body },
@@ -145,6 +145,9 @@ struct Base {
 /// The pairs of a field and a base in an unrolled body.
 fn bases(launch: &Launch<'_>, repeat: &Unroll) -> Vec<Base> {
     let mut found: Vec<Base> = Vec::new();
+    if launch.kernel.unchecked {
+        return found;
+    }
     for &node in &repeat.accesses {
         let access = launch.kernel.access(node);
         let view = &launch.plan.views[launch.plan.view_of[&node]].view;

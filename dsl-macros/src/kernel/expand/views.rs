@@ -4,11 +4,11 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
 use super::launch::Launch;
-use super::names::{Ends, hidden, private, span};
+use super::names::{Ends, handle, hidden, private, span, unchecked};
 use super::reductions::kind;
 use super::rewrite::Rewrite;
 use crate::kernel::access::View;
-use crate::kernel::model::{Access, Action, Boundary, Op, Place, Projection, Slot};
+use crate::kernel::model::{Access, Action, Boundary, Op, Place, Projection, Slot, UncheckedAccess};
 use crate::kernel::syntax::parts;
 
 /// Reads, writes or changes one element.
@@ -28,8 +28,11 @@ pub(super) fn access(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, ac
     let places = match planned.view {
         View::Own | View::Row(_) => quote!(&#cell),
         View::OwnFree => {
-            let places = places(rewrite, access);
+            let places = promised(rewrite, places(rewrite, access));
             quote!(&#cell, #places)
+        }
+        View::Any | View::Accumulate if matches!(access.boundary, Boundary::Checked) => {
+            promised(rewrite, rewrite.expr(&access.index))
         }
         View::Any | View::Accumulate => rewrite.expr(&access.index),
     };
@@ -63,6 +66,29 @@ pub(super) fn access(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, ac
         #change
         #write;
     })
+}
+
+/// An index, which in an unchecked kernel was promised to lie within its field.
+fn promised(rewrite: &Rewrite<'_>, index: TokenStream) -> TokenStream {
+    if !rewrite.kernel.unchecked {
+        return index;
+    }
+    let unchecked = unchecked();
+    quote!(#unchecked.index(#index))
+}
+
+/// `f.get_unchecked(index)` and `f.set_unchecked(index, value)`: the user's `unsafe` block is around them.
+pub(super) fn unchecked_access(rewrite: &Rewrite<'_>, launch: &Launch<'_>, access: &UncheckedAccess) -> TokenStream {
+    let ends = Ends::of(&access.spot);
+    let handle = ends.local(&handle(&launch.kernel.fields[access.field]));
+    let (tag, index) = (launch.tag(access.field, &access.path), rewrite.expr(&access.index));
+    match &access.value {
+        None => ends.read(ends.call(&handle, "get_unchecked", quote!(#tag, #index))),
+        Some(value) => {
+            let value = rewrite.expr(value);
+            ends.call(&handle, "set_unchecked", quote!(#tag, #index, #value))
+        }
+    }
 }
 
 /// Free places are evaluated once.
@@ -111,7 +137,10 @@ pub(super) fn change(rewrite: &Rewrite<'_>, action: &Action, target: &Ident, val
                 token
             });
             let op: TokenStream = op.collect();
-            quote!(#place #op #value;)
+            // An error about the operator is underlined from the first token to the last.
+            let at = |local: &Ident| Ident::new(&local.to_string(), local.span().located_at(span));
+            let (target, value) = (at(target), at(value));
+            quote!(#target #part #op #value;)
         }
     }
 }
@@ -124,7 +153,7 @@ fn accumulate(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, access: &
     let based = launch.based(node);
     let (at, place) = match based {
         Some((base, offset)) => ("_at", quote!(&#base, #offset)),
-        None => ("", rewrite.expr(&access.index)),
+        None => ("", promised(rewrite, rewrite.expr(&access.index))),
     };
     if !part.is_empty() {
         let value = element_with(rewrite, *op, part, &value, view);

@@ -12,14 +12,13 @@ use super::targets::{Base, Root, root};
 use super::{Lower, Mode};
 use crate::kernel::model::{
     Access, Action, Assigned, Boundary, Capture, FieldCall, Group, Node, Op, Place, Projection, Reduce, Reduction,
-    Spot, What,
+    Spot, UncheckedAccess, What,
 };
 use crate::kernel::syntax::{bare, compound, name_of};
 use crate::kernel::text::text;
 
 /// Methods of fields that the language knows and this version lacks.
-const LATER_FIELD_METHODS: &[&str] =
-    &["append", "try_append", "activate", "deactivate", "is_active", "row", "get_unchecked", "set_unchecked"];
+const LATER_FIELD_METHODS: &[&str] = &["append", "try_append", "activate", "deactivate", "is_active", "row"];
 
 /// Methods of elements that the language knows and this version lacks.
 const LATER_ELEMENT_METHODS: &[&str] = &[
@@ -97,6 +96,31 @@ impl Lower {
         let (Base { field, path }, parallel, place) = (base, self.parallel(), Place::Computed);
         let (action, target, span) = (Action::Read, spot.clone(), spot.tokens.span());
         *expr = self.access_node(Access { field, path, index, place, action, boundary, parallel, spot, target }, span);
+    }
+
+    /// `field.path.get_unchecked(index)` and `field.path.set_unchecked(index, value)`: whatever the caller promises.
+    fn unchecked_access(&mut self, expr: &mut Expr, base: Base) {
+        let spot = Spot::new(expr);
+        let Expr::MethodCall(call) = &mut *expr else { return };
+        let name = call.method.to_string();
+        let mut arguments: Vec<Expr> = call.args.iter().cloned().collect();
+        arguments.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
+        let mut arguments = arguments.into_iter();
+        let (index, value) = match (name.as_str(), arguments.next(), arguments.next(), arguments.next()) {
+            ("get_unchecked", Some(index), None, None) => (index, None),
+            ("set_unchecked", Some(index), value @ Some(_), None) => (index, value),
+            _ => {
+                let field = text(&call.receiver);
+                return self.find(What::BoundaryArguments { field, name }, &spot.tokens);
+            }
+        };
+        let Base { field, path } = base;
+        self.kernel.handed_on.insert(field);
+        if let Some(number) = self.parallel() {
+            *self.kernel.loops[number].unchecked.entry(field).or_default() |= value.is_some();
+        }
+        let span = spot.tokens.span();
+        *expr = self.node(Node::Unchecked(Box::new(UncheckedAccess { field, path, index, value, spot })), span);
     }
 
     /// `target = value`.
@@ -250,6 +274,9 @@ impl Lower {
         if let Some(base) = self.borrowed_base(&call.receiver) {
             if matches!(name.as_str(), "clamped" | "wrapped" | "or") {
                 return self.boundary_read(expr, base);
+            }
+            if matches!(name.as_str(), "get_unchecked" | "set_unchecked") {
+                return self.unchecked_access(expr, base);
             }
             return self.field_method(expr, base.field, base.path.is_empty(), &name);
         }

@@ -1,6 +1,6 @@
 //! `for` loops: parallel, serial, unrolled.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::mem;
 
 use syn::spanned::Spanned;
@@ -124,6 +124,7 @@ impl Lower {
             loops: false,
             continues: false,
             shapes: BTreeSet::new(),
+            unchecked: BTreeMap::new(),
         });
         self.mode = Mode::Parallel(number);
         let depth = mem::replace(&mut self.loop_depth, self.scopes.depth());

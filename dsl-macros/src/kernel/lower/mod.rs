@@ -20,9 +20,10 @@ use syn::{Block, Expr, FnArg, Ident, ItemFn, Pat, Stmt, Type};
 
 use self::jumps::Target;
 use self::scope::{Kind, Scopes};
+pub(super) use self::targets::{Root, root};
 use super::model::{Finding, Kernel, Node, Spot, What, placeholder};
 use super::parse;
-use super::syntax::{compound, is_tail, name_of, names, pattern_macros};
+use super::syntax::{bare_type, compound, is_tail, name_of, names, pattern_macros};
 
 /// What surrounds the present place.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -39,8 +40,10 @@ enum Mode {
 pub(super) fn lower(mut function: ItemFn, options: TokenStream) -> Kernel {
     let fields = parse::fields(&function);
     let mut body = mem::replace(&mut *function.block, Block { brace_token: Default::default(), stmts: Vec::new() });
+    let unchecked = options.to_string() == "unchecked";
     let kernel = Kernel {
         function,
+        unchecked,
         options,
         fields,
         nodes: Vec::new(),
@@ -92,7 +95,7 @@ impl Lower {
                     };
                     self.scopes.bind(&Ident::new("self", receiver.self_token.span), kind);
                 }
-                FnArg::Typed(parameter) => match (&*parameter.pat, &*parameter.ty) {
+                FnArg::Typed(parameter) => match (&*parameter.pat, bare_type(&parameter.ty)) {
                     (Pat::Ident(name), Type::Reference(reference)) if name.by_ref.is_none() => {
                         let kind = if reference.mutability.is_some() { Kind::Exclusive } else { Kind::Reference };
                         self.scopes.bind(&name.ident, kind);
@@ -191,8 +194,9 @@ impl Lower {
         self.targets.pop();
         self.scopes.leave();
         self.mode = mode;
-        let accesses =
-            self.kernel.nodes[known..].iter().any(|node| matches!(node, Node::Access(_) | Node::FieldCall(_)));
+        let accesses = self.kernel.nodes[known..]
+            .iter()
+            .any(|node| matches!(node, Node::Access(_) | Node::FieldCall(_) | Node::Unchecked(_)));
         if let (Some(word), true, true) = (closure.capture, accesses, self.parallel().is_some()) {
             self.find(What::MoveClosure, &word);
         }

@@ -3,7 +3,7 @@
 use syn::{Expr, Ident, Member};
 
 use super::Lower;
-use crate::kernel::model::Projection;
+use crate::kernel::model::{Projection, Storage};
 use crate::kernel::syntax::{bare, name_of};
 
 /// A field or a member of it, without an index.
@@ -43,14 +43,20 @@ impl Lower {
 
     /// Whether an expression is `field.path[index]`.
     pub(super) fn is_access(&self, expr: &Expr) -> bool {
-        matches!(bare(expr), Expr::Index(index) if self.base(&index.expr).is_some())
+        matches!(bare(expr), Expr::Index(index) if self.names_element(index))
+    }
+
+    /// Whether an index names an element of a field. A range of a slice is a slice again, as anywhere in Rust.
+    fn names_element(&self, index: &syn::ExprIndex) -> bool {
+        let range = matches!(bare(&index.index), Expr::Range(_));
+        self.base(&index.expr).is_some_and(|base| !range || self.kernel.fields[base.field].storage != Storage::Slice)
     }
 
     /// Takes the target of an assignment apart: `field.path[index]`, and the steps from there to a part of the element.
     pub(super) fn target(&self, expr: &Expr) -> Option<(syn::ExprIndex, Vec<Projection>)> {
         match bare(expr) {
             Expr::Index(index) => {
-                if self.base(&index.expr).is_some() {
+                if self.names_element(index) {
                     return Some((index.clone(), Vec::new()));
                 }
                 let (access, mut part) = self.target(&index.expr)?;
@@ -79,16 +85,16 @@ impl Lower {
 }
 
 /// The variable that an assignment's left side changes, and what of it.
-pub(super) struct Root {
-    pub(super) name: Ident,
+pub(in crate::kernel) struct Root {
+    pub(in crate::kernel) name: Ident,
     /// The steps from the variable to the part.
-    pub(super) part: Vec<Projection>,
+    pub(in crate::kernel) part: Vec<Projection>,
     /// Whether it is what the variable refers to.
-    pub(super) dereferenced: bool,
+    pub(in crate::kernel) dereferenced: bool,
 }
 
 /// Takes an assignment's left side apart.
-pub(super) fn root(expr: &Expr) -> Option<Root> {
+pub(in crate::kernel) fn root(expr: &Expr) -> Option<Root> {
     let (inner, step) = match bare(expr) {
         Expr::Field(member) => (&member.base, Projection::Member(member.member.clone())),
         Expr::Index(index) => (&index.expr, Projection::Index(index.index.clone())),

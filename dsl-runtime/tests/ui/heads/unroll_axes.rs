@@ -1,5 +1,6 @@
 //! The body of a loop over the axes of a type parameter stands in a closure.
 use allotrope::prelude::*;
+use allotrope::spatial::*;
 
 #[kernel]
 fn wrong<X: Spatial>(u: &Field<f32, _, X>, next: &mut Field<f32, _, X>) {
