@@ -19,7 +19,7 @@ use self::mutate::Mutator;
 use crate::{kernel, layout, record};
 
 /// The inputs that a test run tries.
-const TRIED: usize = 4000;
+const TRIED: usize = 2000;
 
 /// The entry points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

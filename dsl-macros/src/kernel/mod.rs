@@ -6,6 +6,7 @@ mod expand;
 mod lower;
 mod model;
 mod parse;
+mod refused;
 mod slices;
 mod syntax;
 #[cfg(test)]
@@ -43,7 +44,7 @@ pub(crate) fn expand(options: TokenStream, item: TokenStream) -> TokenStream {
     let kernel = lower::lower(function.clone(), options);
     check::check(&kernel, &mut diagnostics);
     if !diagnostics.is_empty() {
-        let function = expand::fallback(function, kernel.unchecked);
+        let function = refused::function(function, &kernel, &diagnostics);
         let errors = diagnostics.into_compile_errors();
         return quote!(#errors #function);
     }
