@@ -19,7 +19,7 @@ use twins::Aligned;
 use twins::transfer::{Apart, Block, Blocks, Interleaved, NodeLists, NodeRecords};
 use twins::{bodies as hand_bodies, stencils as hand_stencils, streams as hand_streams, transfer as hand};
 use workloads::stencils::{Four, ramp};
-use workloads::transfer::{Mpm, Node, Point, sorted_points};
+use workloads::transfer::{Mpm, Node, Point, drawn_points, sorted_points};
 use workloads::{bodies, stencils, streams, transfer};
 
 /// Pairs of one kernel and one twin.
@@ -423,6 +423,46 @@ fn transfer_pair<LP: Layout<I>, LG: Layout<Ij>, P: hand::Points + Clone, N: hand
     }
 }
 
+/// Z-order beside rows: the same kernels, the one in the place of the twin in rows.
+fn morton_pairs(pairs: &Pairs) {
+    for n in [2048, 256] {
+        let name = format!("Jacobi {n}^2, Morton blocks of 8 beside rows");
+        if pairs.wants(&name) {
+            let mut rows = Field::<f32, Aos, Ij>::from_shape(n);
+            rows.copy_from_slice(&ramp(n * n));
+            let (curve, mut next_row) = (rows.relayout::<Morton<8>>(), Field::<f32, Aos, Ij>::from_shape(n));
+            let mut next = Field::<f32, Morton<8>, Ij>::from_shape(n);
+            stencils::jacobi(0.25, &rows, &mut next_row);
+            stencils::jacobi(0.25, &curve, &mut next);
+            same(&name, &next.to_vec(), &next_row.to_vec(), 0.0);
+            pairs.run(
+                &name,
+                || stencils::jacobi(black_box(0.25), &curve, &mut next),
+                || stencils::jacobi(black_box(0.25), &rows, &mut next_row),
+            );
+        }
+    }
+    for (count, label, side) in [(1 << 20, "2^20", 1024), (1 << 18, "2^18", 512)] {
+        let name = format!("P2G {label} unsorted on {side}^2, Morton blocks of 8 beside rows");
+        if pairs.wants(&name) {
+            let list = drawn_points(count);
+            let mut points = Field::<Point, Aos>::new([count]);
+            list.iter().enumerate().for_each(|(p, point)| points.set(p, *point));
+            let mpm = Mpm::new(side);
+            let (mut rows, mut curve) =
+                (Field::<Node, Aos, Ij>::from_shape(side), Field::<Node, Morton<8>, Ij>::from_shape(side));
+            transfer::particle_to_grid(&points, &mut rows, &mpm);
+            transfer::particle_to_grid(&points, &mut curve, &mpm);
+            same(&name, &curve.members().m.to_vec(), &rows.members().m.to_vec(), 0.0);
+            pairs.run(
+                &name,
+                || transfer::particle_to_grid(&points, &mut curve, black_box(&mpm)),
+                || transfer::particle_to_grid(&points, &mut rows, black_box(&mpm)),
+            );
+        }
+    }
+}
+
 /// Square fields, without naming the axes twice.
 trait FromShape {
     fn from_shape(n: usize) -> Self;
@@ -451,6 +491,7 @@ fn main() {
             laplacian_pairs(&pairs);
             body_pairs(&pairs);
             transfer_pairs(&pairs);
+            morton_pairs(&pairs);
         }
     });
     println!("| kernel | set | kernel ms | twin ms | ratio | 95 % interval |");

@@ -108,20 +108,25 @@ pub fn grid_to_particle(points: &mut Field<Point, _>, grid: &Field<Node, _, Ij>,
 
 /// Points spread over the middle of the domain, in the order of cells.
 pub fn sorted_points(count: usize, side: usize) -> Vec<Point> {
+    let mut points = drawn_points(count);
+    let cell = |p: &Point| (p.x * side as f32).as_ivec2();
+    points.sort_by_key(|p| (cell(p).x, cell(p).y));
+    points
+}
+
+/// Points as they are drawn, in no order.
+pub fn drawn_points(count: usize) -> Vec<Point> {
     let mut state = 42u64;
     let mut random = || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 40) as f32 / (1u64 << 24) as f32
     };
-    let mut points: Vec<Point> = (0..count)
+    (0..count)
         .map(|_| Point {
             x: vec2(0.1 + 0.8 * random(), 0.1 + 0.8 * random()),
             v: vec2(random(), random()),
             c: Mat2::from_cols_array(&[random(), random(), random(), random()]),
             j: 1.0 + 0.01 * random(),
         })
-        .collect();
-    let cell = |p: &Point| (p.x * side as f32).as_ivec2();
-    points.sort_by_key(|p| (cell(p).x, cell(p).y));
-    points
+        .collect()
 }
