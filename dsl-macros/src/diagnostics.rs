@@ -292,6 +292,11 @@ impl Diagnostics {
         self.errors.is_empty() && self.syntax.is_empty()
     }
 
+    /// The codes of the errors so far; what is no Rust at all has none.
+    pub(crate) fn codes(&self) -> impl Iterator<Item = Code> + '_ {
+        self.errors.iter().map(|error| error.code)
+    }
+
     /// The errors so far, in the order of their reports.
     #[cfg(test)]
     pub(crate) fn errors(&self) -> &[Diagnostic] {

@@ -10,6 +10,8 @@ use proc_macro::TokenStream;
 
 mod diagnostics;
 mod enumeration;
+#[cfg(test)]
+mod fuzz;
 mod kernel;
 mod layout;
 mod nearest;

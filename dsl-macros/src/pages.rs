@@ -22,7 +22,7 @@ fn page(code: Code) -> String {
 }
 
 /// The blocks of a page that are opened with these words.
-fn blocks(page: &str, opened: &str) -> Vec<String> {
+pub(crate) fn blocks(page: &str, opened: &str) -> Vec<String> {
     let mut blocks = Vec::new();
     let mut open: Option<(bool, String)> = None;
     for line in page.lines() {
@@ -49,7 +49,8 @@ impl Expansions {
     }
 }
 
-fn derives(attributes: &[Attribute], name: &str) -> bool {
+/// Whether an item derives a trait of the language.
+pub(crate) fn derives(attributes: &[Attribute], name: &str) -> bool {
     attributes.iter().any(|attribute| {
         attribute.path().is_ident("derive") && attribute.meta.to_token_stream().to_string().contains(name)
     })
@@ -82,7 +83,7 @@ impl<'ast> Visit<'ast> for Expansions {
 }
 
 /// What bears an attribute in an example, `kernel` or `func`, with its options: functions, methods and what else there is.
-fn marked(example: &str, word: &'static str) -> Vec<(TokenStream, TokenStream)> {
+pub(crate) fn marked(example: &str, word: &'static str) -> Vec<(TokenStream, TokenStream)> {
     struct Found(Vec<(TokenStream, TokenStream)>, &'static str);
     impl Found {
         /// Takes the attribute off an item that bears it.

@@ -7,6 +7,7 @@ pub(crate) mod func;
 mod lower;
 mod model;
 mod parse;
+mod refused;
 mod slices;
 mod syntax;
 #[cfg(test)]
@@ -36,6 +37,7 @@ fn rejected(item: TokenStream, diagnostics: Diagnostics) -> TokenStream {
 
 /// Expands a kernel, or reports all its errors beside a function of the same type, so that nothing follows from them.
 pub(crate) fn expand(options: TokenStream, item: TokenStream) -> TokenStream {
+    let item = model::without_placeholders(item);
     let mut diagnostics = Diagnostics::default();
     let Some(function) = parse::parse(item.clone(), &mut diagnostics) else {
         return rejected(item, diagnostics);
@@ -43,7 +45,7 @@ pub(crate) fn expand(options: TokenStream, item: TokenStream) -> TokenStream {
     let kernel = lower::lower(function.clone(), options);
     check::check(&kernel, &mut diagnostics);
     if !diagnostics.is_empty() {
-        let function = expand::fallback(function, kernel.unchecked);
+        let function = refused::function(function, &kernel, &diagnostics);
         let errors = diagnostics.into_compile_errors();
         return quote!(#errors #function);
     }

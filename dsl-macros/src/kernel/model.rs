@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use proc_macro2::{Literal, Span, TokenStream};
+use proc_macro2::{Literal, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
 use syn::{Block, Expr, Ident, ItemFn, Label, Member, Type};
@@ -584,6 +584,30 @@ pub(crate) fn placeholder(node: usize, span: Span) -> Expr {
     let name = Ident::new(PLACEHOLDER, span);
     let number = Literal::usize_unsuffixed(node);
     syn::parse_quote!(#name!(#number))
+}
+
+/// The tokens with another name where a user wrote that of the placeholder, which would be taken for one.
+pub(crate) fn without_placeholders(tokens: TokenStream) -> TokenStream {
+    fn mentioned(tokens: TokenStream) -> bool {
+        tokens.into_iter().any(|token| match token {
+            TokenTree::Ident(name) => name == PLACEHOLDER,
+            TokenTree::Group(group) => mentioned(group.stream()),
+            TokenTree::Punct(_) | TokenTree::Literal(_) => false,
+        })
+    }
+    fn renamed(token: TokenTree) -> TokenTree {
+        match token {
+            TokenTree::Ident(name) if name == PLACEHOLDER => Ident::new("__no_allotrope_node", name.span()).into(),
+            TokenTree::Group(group) => {
+                let mut inner =
+                    proc_macro2::Group::new(group.delimiter(), group.stream().into_iter().map(renamed).collect());
+                inner.set_span(group.span());
+                inner.into()
+            }
+            other => other,
+        }
+    }
+    if mentioned(tokens.clone()) { tokens.into_iter().map(renamed).collect() } else { tokens }
 }
 
 /// The node that an expression stands for.

@@ -240,6 +240,10 @@ fn size(argument: Expr) -> Size {
         Expr::Path(path) if path.path.get_ident().is_some_and(|name| axis_list(name).unknown.is_empty()) => {
             Size::Wrong(at, path.path.get_ident().cloned())
         }
+        // `crate` and its like are paths that name no value.
+        ref path @ Expr::Path(ref plain) if plain.path.get_ident().is_some() && name(path).is_none() => {
+            Size::Wrong(at, None)
+        }
         Expr::Path(_) | Expr::Binary(_) | Expr::Paren(_) | Expr::Block(_) | Expr::Call(_) | Expr::Cast(_) => {
             Size::Constant(argument)
         }

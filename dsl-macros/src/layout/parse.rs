@@ -87,10 +87,14 @@ fn word(expr: &Expr) -> syn::Result<Ident> {
     name(expr).ok_or_else(|| syn::Error::new_spanned(expr, "expected the name of a node or a place"))
 }
 
-/// The single identifier that an expression is, if it is one.
+/// The single identifier that an expression is, if it is one that may name something.
 pub(super) fn name(expr: &Expr) -> Option<Ident> {
     match expr {
-        Expr::Path(path) => path.path.get_ident().cloned(),
+        Expr::Path(path) => path
+            .path
+            .get_ident()
+            .filter(|name| !["self", "Self", "crate", "super"].iter().any(|word| name == word))
+            .cloned(),
         _ => None,
     }
 }

@@ -55,6 +55,11 @@ fn check_fields(item: &DeriveInput, fields: &Fields, errors: &mut Diagnostics) {
                     )
                     .help("give it a member");
             }
+            for blank in fields.named.iter().filter_map(|field| field.ident.as_ref()).filter(|name| *name == "_") {
+                errors
+                    .error(Code::UnnamedMembers, blank, format!("a member of the record `{name}` has no name"))
+                    .help("name it, as kernels must name what they access");
+            }
             if let Some(surplus) = fields.named.iter().nth(MOST_MEMBERS) {
                 let count = fields.named.len();
                 errors

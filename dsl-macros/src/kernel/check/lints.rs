@@ -6,6 +6,9 @@ use crate::kernel::model::{Kernel, Suspicion};
 /// The bodies that `unroll!` may write out without a warning.
 const MANY_BODIES: u64 = 256;
 
+/// The bodies that it may write out at all: with more the compiler runs for minutes, or out of memory.
+const MOST_BODIES: u64 = 65_536;
+
 pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
     for (place, suspicion) in kernel.suspicions.iter().enumerate() {
         match suspicion {
@@ -18,6 +21,18 @@ pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
                     .help(format!(
                         "write `({bare}).rem_euclid(..)`, or read with `.wrapped(..)`, which takes indices modulo the extents"
                     ));
+            }
+            Suspicion::Unrolled { around, bodies, at } if *bodies > MOST_BODIES => {
+                if *around <= MOST_BODIES {
+                    diagnostics
+                        .error(
+                            Code::UnrollForm,
+                            &at.tokens,
+                            format!("the body of this loop would be written out {bodies} times, and can be {MOST_BODIES} times at most"),
+                        )
+                        .note("the compiler would run for minutes, or out of memory")
+                        .help("write a plain `for` over the range");
+                }
             }
             Suspicion::Unrolled { around, bodies, at } if *around <= MANY_BODIES && *bodies > MANY_BODIES => {
                 diagnostics

@@ -35,6 +35,12 @@ pub(super) fn expand(kernel: &Kernel, first: TokenStream) -> TokenStream {
     quote!(#(#attrs)* #[allow(unused_parens, clippy::deref_addrof)] #vis #sig { #first #unchecked #slices #body })
 }
 
+/// The function of a kernel that is refused and has no errors on one thread; none of its warnings is of use.
+pub(super) fn in_refused(kernel: &Kernel) -> TokenStream {
+    let function = expand(kernel, TokenStream::new());
+    quote!(#[allow(warnings)] #function)
+}
+
 /// A function of the same type that does nothing, for a kernel with errors: so that its callers have none.
 pub(super) fn fallback(mut function: ItemFn, unchecked: bool) -> TokenStream {
     signature::open_layouts(&mut function.sig);

@@ -285,6 +285,5 @@ fn label_name(label: &Option<Label>) -> Option<syn::Lifetime> {
 /// `for .. in ..`, without the body.
 fn head_spot(repeat: &ExprForLoop) -> Spot {
     let ExprForLoop { for_token, pat, in_token, expr, .. } = repeat;
-    debug_assert!(for_token.span().start() <= in_token.span().start());
     Spot::new(&quote::quote!(#for_token #pat #in_token #expr))
 }

@@ -225,7 +225,8 @@ fn inline_names(format: &str) -> Vec<String> {
 }
 
 fn is_name(text: &str) -> bool {
-    syn::parse_str::<Ident>(text).is_ok()
+    // Format strings know no raw names.
+    !text.starts_with("r#") && syn::parse_str::<Ident>(text).is_ok()
 }
 
 #[cfg(test)]

@@ -37,7 +37,16 @@ enum Mode {
 }
 
 /// Makes the model of a kernel.
-pub(super) fn lower(mut function: ItemFn, options: TokenStream) -> Kernel {
+pub(super) fn lower(function: ItemFn, options: TokenStream) -> Kernel {
+    walk(function, options, Mode::Top)
+}
+
+/// The model of a kernel none of whose loops is parallel.
+pub(super) fn lower_on_one_thread(function: ItemFn) -> Kernel {
+    walk(function, TokenStream::new(), Mode::Serial)
+}
+
+fn walk(mut function: ItemFn, options: TokenStream, mode: Mode) -> Kernel {
     let fields = parse::fields(&function);
     let mut body = mem::replace(&mut *function.block, Block { brace_token: Default::default(), stmts: Vec::new() });
     let unchecked = options.to_string() == "unchecked";
@@ -54,14 +63,8 @@ pub(super) fn lower(mut function: ItemFn, options: TokenStream) -> Kernel {
         handed_on: BTreeSet::new(),
         suspicions: Vec::new(),
     };
-    let mut lower = Lower {
-        kernel,
-        mode: Mode::Top,
-        scopes: Scopes::default(),
-        targets: Vec::new(),
-        statement: false,
-        loop_depth: 0,
-    };
+    let mut lower =
+        Lower { kernel, mode, scopes: Scopes::default(), targets: Vec::new(), statement: false, loop_depth: 0 };
     lower.scopes.enter();
     lower.bind_parameters();
     lower.visit_block_mut(&mut body);

@@ -399,10 +399,10 @@ fn host(u: &mut Field<Node, impl ::allotrope::Layout<Ij>, Ij>) -> f32 {
 fn errors_leave_a_function_of_the_same_type() {
     insta::assert_snapshot!(expansion(
         "/// Docs.
-        pub fn wrong(mut u: &mut Field<f32, _>, by: f32) -> f32 { for p in u { u[p + 1] = by; } by }"
+        pub fn wrong(mut u: &mut Field<f32, _>, by: f32) -> f32 { for p in u { break; } by }"
     ), @r#"
 ::core::compile_error! {
-    "`u[p + 1]` is written in a parallel loop, at an index that is not the iteration's own [A0202]\n= note: it is the own element of another iteration; the own index is `p`\n= help: write at the own index, and move the indices that are read instead"
+    "`break` cannot leave a parallel loop [A0116]\n= note: other threads are at other elements at that time\n= help: `continue` skips the rest of the element; to search, accumulate into a variable (`found.max_assign(..)`); or write `#[serial]` before the loop"
 }
 #[allow(unused, missing_docs, clippy::all)]
 pub fn wrong(
@@ -410,6 +410,34 @@ pub fn wrong(
     by: f32,
 ) -> f32 {
     loop {}
+}
+"#);
+}
+
+#[test]
+fn races_leave_the_kernel_on_one_thread() {
+    insta::assert_snapshot!(expansion(
+        "/// Docs.
+        pub fn wrong(u: &mut Field<f32, _>, by: f32) -> f32 { for p in u { u[p + 1] = by; } by }"
+    ), @r#"
+::core::compile_error! {
+    "`u[p + 1]` is written in a parallel loop, at an index that is not the iteration's own [A0202]\n= note: it is the own element of another iteration; the own index is `p`\n= help: write at the own index, and move the indices that are read instead"
+}
+#[allow(warnings)]
+/// Docs.
+#[allow(unused_parens, clippy::deref_addrof)]
+pub fn wrong(
+    u: &mut Field<f32, impl ::allotrope::Layout<::allotrope::I>>,
+    by: f32,
+) -> f32 {
+    for p in ::allotrope::__private::indices(&*u) {
+        {
+            let __value = by;
+            let (__path, __at) = (::allotrope::__private::Whole, p + 1);
+            ::allotrope::__private::write(&mut *u, __path, __at, __value)
+        };
+    }
+    by
 }
 "#);
 }

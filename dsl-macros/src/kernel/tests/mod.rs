@@ -13,6 +13,7 @@ mod heads;
 mod lints;
 mod names;
 mod races;
+mod random_kernels;
 mod signatures;
 mod values;
 

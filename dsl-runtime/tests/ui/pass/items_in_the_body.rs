@@ -3,7 +3,7 @@ use allotrope::prelude::*;
 
 #[kernel]
 fn items(u: &mut Field<i32, _>) {
-    fn helper(u: i32) -> i32 {
+    fn next(u: i32) -> i32 {
         u + 1
     }
     for p in u {
@@ -22,7 +22,7 @@ fn items(u: &mut Field<i32, _>) {
         }
         const P: i32 = 10;
         use std::cmp::max;
-        let pair = Pair { p: double(p), u: helper(P) };
+        let pair = Pair { p: double(p), u: next(P) };
         u[p] = max(pair.sum(), pair.u + 1);
     }
 }
