@@ -201,7 +201,7 @@ pub(crate) fn across(kernel: &Kernel, number: usize, access: &Access) -> Across 
     let steps: u64 = offset.iter().map(|o| u64::from(o.unsigned_abs())).sum();
     let at_home = parallel.head.field() == Some(access.field);
     match access.boundary {
-        _ if steps % 2 == 0 => Across::Even,
+        _ if steps.is_multiple_of(2) => Across::Even,
         Boundary::Clamped if steps != 1 => Across::Steps,
         Boundary::Clamped | Boundary::Wrapped if !at_home => Across::Elsewhere,
         _ => Across::Yes,

@@ -42,7 +42,7 @@ fn is_odd(offset: &[i64]) -> bool {
 pub(super) fn assert_even(shape: &[u32; MAX_AXES], offset: &[i64], site: &'static Site) {
     for (axis, (offset, extent)) in offset.iter().zip(shape).enumerate() {
         assert!(
-            *offset == 0 || extent % 2 == 0,
+            *offset == 0 || extent.is_multiple_of(2),
             "kernel `{}`: `wrapped` reads the field `{}` under `checkerboard`, and its extent {extent} along axis {axis} is odd: \
              its first and its last element have one colour",
             site.kernel,
