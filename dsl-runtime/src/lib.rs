@@ -157,6 +157,7 @@
 //! | --- | --- | --- |
 //! | only reads it | any index | read |
 //! | reads, writes, accumulates | its own index | own |
+//! | also reads it, under `checkerboard` | its own index plus constants with an odd sum: the other colour | beside |
 //! | only accumulates, with one group of operators: {`+=`, `-=`}, {`*=`}, {`min_assign`}, {`max_assign`}, {`&=`}, {`\|=`}, {`^=`} | any index | accumulate |
 //! | anything else | | a compile error, which names the other access that it clashes with, and the cure |
 //!
@@ -225,8 +226,8 @@
 //!
 //! # Not available yet
 //!
-//! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`); indices below zero (`with_origin`); nested records; reads of the other
-//! colour beside writes under `checkerboard`; `#[relaxed]` and atomics that return the old value.
+//! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`); indices below zero (`with_origin`); nested records; `#[relaxed]`
+//! and atomics that return the old value.
 //! Where one of these words is used, the error says so.
 
 // Expansions name this crate from outside; inside (tests, examples in docs) it is the same name.

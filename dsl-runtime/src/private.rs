@@ -1,7 +1,7 @@
 //! What the macros' expansions call. Nothing here is for users: it changes with the macros, whose version is locked.
 
 pub use crate::enumeration::Code;
-pub use crate::launch::{Border, Checkerboard, Colored, Sieve, Sifted, sift, sifted};
+pub use crate::launch::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, sifted};
 pub use crate::launch::{
     Cell, Options, Outs, Partial, Reduction, Run, Space, Strip, Task, interior, launch, launch_own, over, range,
     reduction,
@@ -10,8 +10,8 @@ pub use crate::number::{BitAnd, BitOr, BitXor, ComponentMul, Max, Min, Product, 
 pub use crate::record::{At, ElementList, MemberMuts, MemberRefs, MemberSpec, Path, Tag, Whole};
 pub use crate::scatter::{Op, Scattered, Target};
 pub use crate::view::{
-    Accumulate, Based, Buffer, Free, Held, Own, OwnFree, Read, Row, Site, Var, View, assert_packed, buffer, exclusive,
-    negative, shared,
+    Accumulate, Based, Beside, Buffer, Free, Held, Own, OwnFree, Read, Row, Site, Var, View, assert_packed, buffer,
+    exclusive, negative, shared,
 };
 
 pub use crate::capture::{Hold, Lend, Wrap, assert_shared};

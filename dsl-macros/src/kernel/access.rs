@@ -119,7 +119,7 @@ pub(crate) fn clashes(kernel: &Kernel, number: usize) -> Vec<Clash> {
             if alone(kernel.access(a)).is_some() {
                 continue;
             }
-            if let Some((access, other, why)) = pair(kernel, a, b) {
+            if let Some((access, other, why)) = pair(kernel, number, a, b) {
                 found.push(Clash { access, other, why });
             }
         }
@@ -151,7 +151,7 @@ fn alone(access: &Access) -> Option<Why> {
 }
 
 /// Why two accesses cannot stand in one parallel loop, with the one to complain about first.
-fn pair(kernel: &Kernel, first: usize, second: usize) -> Option<(usize, usize, Why)> {
+fn pair(kernel: &Kernel, number: usize, first: usize, second: usize) -> Option<(usize, usize, Why)> {
     let (a, b) = (kernel.access(first), kernel.access(second));
     if !a.overlaps(b) || !(a.changes() || b.changes()) {
         return None;
@@ -165,12 +165,52 @@ fn pair(kernel: &Kernel, first: usize, second: usize) -> Option<(usize, usize, W
     // One of the two is at a foreign index, and both are not accumulations.
     let (foreign, other) = if a.is_own() || (!b.is_own() && a.changes()) { (second, first) } else { (first, second) };
     let (f, o) = (kernel.access(foreign), kernel.access(other));
+    if o.changes() && across(kernel, number, f) == Across::Yes && matches!(o.place, Place::Own) {
+        return None;
+    }
     let why = match (f.changes(), o.changes()) {
         (false, true) if o.is_own() => Why::Stencil,
         (false, true) | (true, false) => Why::ReadBesideAccumulation,
         _ => Why::WriteBesideAccumulation,
     };
     Some((foreign, other, why))
+}
+
+/// Whether a read leads from one colour of a checkerboard to the other, or for the elements next to an edge to the
+/// iteration's own: if not, why.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Across {
+    Yes,
+    /// The loop is over all colours, or over others than those of a checkerboard.
+    NoCheckerboard,
+    /// The index is not the loop's own plus constants, or the number of axes is not known.
+    NotConstant,
+    /// The constants have an even sum.
+    Even,
+    /// A clamped read by more than one step.
+    Steps,
+    /// A clamped or wrapped read of another field than the loop is over.
+    Elsewhere,
+}
+
+/// Whether a read leads to the other colour of the loop's checkerboard.
+pub(crate) fn across(kernel: &Kernel, number: usize, access: &Access) -> Across {
+    let parallel = &kernel.loops[number];
+    if !parallel.head.is_checkerboard() {
+        return Across::NoCheckerboard;
+    }
+    let offset = match &access.place {
+        Place::Offset(offset) if parallel.rank == Some(offset.len()) && !access.changes() => offset,
+        _ => return Across::NotConstant,
+    };
+    let steps: u64 = offset.iter().map(|o| u64::from(o.unsigned_abs())).sum();
+    let at_home = parallel.head.field() == Some(access.field);
+    match access.boundary {
+        _ if steps.is_multiple_of(2) => Across::Even,
+        Boundary::Clamped if steps != 1 => Across::Steps,
+        Boundary::Clamped | Boundary::Wrapped if !at_home => Across::Elsewhere,
+        _ => Across::Yes,
+    }
 }
 
 /// How the expansion reaches a member.
@@ -184,6 +224,8 @@ pub(crate) enum View {
     Row(Vec<i32>),
     /// Read at any index.
     Any,
+    /// Read at the own index plus a constant, of the other colour than the loop's, which alone is written.
+    Beside(Vec<i32>),
     /// Accumulate at any index.
     Accumulate,
 }
@@ -274,11 +316,18 @@ fn view(kernel: &Kernel, number: usize, access: &Access) -> View {
     if !others().any(Access::changes) {
         return match &access.place {
             Place::Own => View::Row(kernel.loops[number].rank.map_or(Vec::new(), |rank| vec![0; rank])),
+            Place::Offset(_) if !matches!(access.boundary, Boundary::Checked) => View::Any,
             Place::Offset(offset) => View::Row(offset.clone()),
             Place::Places(_) | Place::Computed => View::Any,
         };
     }
-    let owned = others().all(|other| other.is_own() || !(other.changes() || access.changes()));
+    // What stands beside own writes without a clash is of the other colour.
+    let foreign = |other: &Access| !other.is_own() && other.changes();
+    let beside = |other: &Access| !other.changes() && across(kernel, number, other) == Across::Yes;
+    if let (Place::Offset(offset), Action::Read) = (&access.place, &access.action) {
+        return View::Beside(offset.clone());
+    }
+    let owned = others().all(|other| !foreign(other) && (other.is_own() || !access.changes() || beside(other)));
     match (&access.place, owned) {
         (Place::Own, true) => View::Own,
         (Place::Places(_), true) => View::OwnFree,

@@ -337,6 +337,14 @@ impl Head {
         }
     }
 
+    /// Whether all of its elements are of one colour of a checkerboard.
+    pub(crate) fn is_checkerboard(&self) -> bool {
+        match self {
+            Head::Sifted { base, sieve } => matches!(sieve, Sieve::Checkerboard(_)) || base.is_checkerboard(),
+            Head::Field(_) | Head::Interior { .. } | Head::Ranges(_) | Head::Invalid => false,
+        }
+    }
+
     /// The border that it leaves out.
     pub(crate) fn left_out(&self) -> Option<&Expr> {
         match self {

@@ -13,7 +13,7 @@ use std::sync::{Mutex, PoisonError};
 
 pub use reduction::{Partial, Reduction, Strip, reduction};
 pub use run::{Cell, Run};
-pub use sieve::{Border, Checkerboard, Colored, Sieve, Sifted, sift, sifted};
+pub use sieve::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, sifted};
 pub use space::{Space, interior, over, range};
 
 use crate::scatter::{self, Scattered};

@@ -201,6 +201,13 @@ pub fn sifted<X: Axes, T: IntoIndex<X>, F: Sieve>(
 
 impl<S, F> Sealed for Sifted<S, F> {}
 
+/// A space whose elements are of one colour of a checkerboard: the sums of their coordinates have one parity.
+#[doc(hidden)]
+pub trait TwoColours: Space {}
+impl<S: Space> TwoColours for Sifted<S, Checkerboard> {}
+impl<S: TwoColours> TwoColours for Sifted<S, Border> {}
+impl<S: TwoColours> TwoColours for Sifted<S, Colored> {}
+
 impl<S: Space, F: Sieve> Space for Sifted<S, F> {
     const RANK: usize = S::RANK;
     type Index = S::Index;

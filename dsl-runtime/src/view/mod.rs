@@ -2,6 +2,7 @@
 
 mod accumulate;
 mod base;
+mod beside;
 mod free;
 mod lane;
 mod read;
@@ -13,6 +14,7 @@ use core::fmt;
 pub use accumulate::Accumulate;
 pub use accumulate::negative;
 pub use base::Based;
+pub use beside::Beside;
 pub(crate) use free::Places;
 pub use free::{Free, Var};
 pub use read::Read;
@@ -24,7 +26,7 @@ pub use free::OwnFree;
 use crate::axes::{Axes, MAX_AXES};
 use crate::element::{Element, Packed};
 use crate::field::{Handle, Source, SourceMut};
-use crate::launch::{Border, Run, Space, Task};
+use crate::launch::{Border, Run, Space, Task, TwoColours};
 use crate::layout::Layout;
 use crate::record::{Path, Record};
 
@@ -227,6 +229,27 @@ impl<'a, R: Record, L: Layout<X>, X: Axes> View<'a, R, L, X, true> {
     #[inline(always)]
     pub fn own_free<S: Space, P: Path<R>>(self, _: &Task<'_, S>, _: P) -> OwnFree<'a, R, L, X, P> {
         OwnFree::new(self.handle, self.site)
+    }
+
+    /// A view that reads a path at the other colour than that of a loop which writes it.
+    #[inline(always)]
+    #[track_caller]
+    pub fn beside<const N: usize, S: TwoColours, P: Path<R>>(
+        self,
+        _: &Task<'_, S>,
+        _: P,
+        offset: [i64; N],
+    ) -> Beside<'a, R, L, X, P, S> {
+        Beside::new(self.handle, self.site, offset)
+    }
+
+    /// Checks, before a launch, that indices which are moved and taken modulo the extents change their colour.
+    ///
+    /// # Panics
+    /// Where an extent along which the offset moves is odd.
+    #[track_caller]
+    pub fn wraps_evenly<const N: usize>(self, offset: [i64; N]) {
+        beside::assert_even(&self.handle.geometry.shape, &offset, self.site);
     }
 
     /// A view that accumulates into a path at any index, as the launch's schedule says.

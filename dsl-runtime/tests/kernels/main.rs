@@ -2,6 +2,7 @@
 
 mod accumulate;
 mod axes;
+mod beside;
 mod boundaries;
 mod captures;
 mod enumerations;

@@ -1,5 +1,7 @@
 //! Finite elements: forces of triangles scattered to their vertices, and a matrix-free product over a grid of squares.
 
+#![allow(clippy::needless_range_loop, reason = "the references index as the formulas do")]
+
 use allotrope::prelude::*;
 
 use crate::{close, on_threads, scattered};

@@ -6,7 +6,7 @@ use syn::Ident;
 
 use super::super::syntax::{bare, integer, name_of, parts};
 use crate::diagnostics::{Code, Diagnostics};
-use crate::kernel::model::{Access, Head, Kernel, Loop, Node, Place, Spot, Storage};
+use crate::kernel::model::{Access, Boundary, Head, Kernel, Loop, Node, Place, Spot, Storage};
 use crate::kernel::text::{text, type_text};
 
 pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
@@ -136,6 +136,9 @@ fn shared_write(kernel: &Kernel, field: usize, spot: &Spot, diagnostics: &mut Di
 /// Constant offsets against the border that the loop leaves out.
 fn border(found: &Loop, access: &Access, diagnostics: &mut Diagnostics) {
     let (Some(width), Place::Offset(offset)) = (found.head.left_out(), &access.place) else { return };
+    if !matches!(access.boundary, Boundary::Checked) {
+        return;
+    }
     let Some(width) = integer(width) else { return };
     let reach = offset.iter().map(|offset| offset.saturating_abs()).max().unwrap_or(0);
     if reach > width {

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 
 use crate::diagnostics::{Code, Diagnostics};
-use crate::kernel::access::{Clash, Use, Why, clashes};
+use crate::kernel::access::{Across, Clash, Use, Why, across, clashes};
 use crate::kernel::model::{Access, Head, Kernel, Loop, Op, Place};
 
 pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
@@ -19,7 +19,7 @@ pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
             continue;
         }
         for clash in &clashes {
-            report(kernel, found, clash, diagnostics);
+            report(kernel, number, clash, diagnostics);
         }
     }
 }
@@ -80,7 +80,8 @@ fn handed_on(kernel: &Kernel, lent: &Access, other: &Access, diagnostics: &mut D
         .help(format!("read the values first and hand those on: `{text}[..]`; or write to another field"));
 }
 
-fn report(kernel: &Kernel, found: &Loop, clash: &Clash, diagnostics: &mut Diagnostics) {
+fn report(kernel: &Kernel, number: usize, clash: &Clash, diagnostics: &mut Diagnostics) {
+    let found = &kernel.loops[number];
     let (access, other) = (kernel.access(clash.access), kernel.access(clash.other));
     let (member, target) = (name(kernel, access), access.target.text());
     if let Some((lent, other)) = [(access, other), (other, access)].into_iter().find(|(lent, _)| lent.is_lent()) {
@@ -89,13 +90,7 @@ fn report(kernel: &Kernel, found: &Loop, clash: &Clash, diagnostics: &mut Diagno
     match clash.why {
         Why::Scatter => scatter(found, access, diagnostics),
         Why::OperatorScatter => operator(access, diagnostics),
-        Why::Stencil => {
-            diagnostics
-                .error(Code::InPlaceStencil, &access.spot.tokens, format!("`{target}` is read in a parallel loop that writes `{}`", name(kernel, other)))
-                .note(format!("{}, by every iteration at its own index: whether this read comes before or after depends on the threads", other_half(other)))
-                .help("read from one field and write to another, and swap the two between calls")
-                .help("or write `#[serial]` before the loop to run it on one thread");
-        }
+        Why::Stencil => stencil(kernel, number, clash, diagnostics),
         Why::ReadBesideAccumulation => {
             let message = if access.changes() {
                 format!("`{target}` is accumulated into in a parallel loop that reads `{}`", name(kernel, other))
@@ -131,6 +126,45 @@ fn report(kernel: &Kernel, found: &Loop, clash: &Clash, diagnostics: &mut Diagno
                 .help("use one order of the variables for all accesses to a member that the loop writes; or make two loops of it, or write to another field");
         }
     }
+}
+
+fn stencil(kernel: &Kernel, number: usize, clash: &Clash, diagnostics: &mut Diagnostics) {
+    let (access, other) = (kernel.access(clash.access), kernel.access(clash.other));
+    let error = diagnostics.error(
+        Code::InPlaceStencil,
+        &access.spot.tokens,
+        format!("`{}` is read in a parallel loop that writes `{}`", access.target.text(), name(kernel, other)),
+    );
+    error.note(format!(
+        "{}, by every iteration at its own index: whether this read comes before or after depends on the threads",
+        other_half(other)
+    ));
+    match across(kernel, number, access) {
+        Across::NoCheckerboard => {}
+        Across::NotConstant => {
+            error.note("reads of the other colour are at the own index plus constants with an odd sum, such as `(i + 1, j)`; of any other index nobody knows the colour");
+        }
+        Across::Even => {
+            error.note("the constants in this index have an even sum, so that the element is of the loop's own colour");
+        }
+        Across::Steps => {
+            error
+                .note("an index that lies outside is moved back to the edge: after more than one step it may be of the loop's own colour")
+                .help("clamp after single steps along one axis, such as `(i + 1, j)`, or give a value for what lies outside: `or`");
+        }
+        Across::Elsewhere => {
+            let field = &kernel.fields[access.field].name;
+            error
+                .note(format!("the loop may be larger than `{field}`: an index that is moved back into it may be of the loop's own colour"))
+                .help(format!("loop over a colour of `{field}` itself"));
+        }
+        Across::Yes => {
+            error.note("reads of the other colour stand beside writes at the own index with the variables in their order, and no others");
+        }
+    }
+    error
+        .help("read from one field and write to another, and swap the two between calls")
+        .help("or write `#[serial]` before the loop to run it on one thread");
 }
 
 fn scatter(found: &Loop, access: &Access, diagnostics: &mut Diagnostics) {

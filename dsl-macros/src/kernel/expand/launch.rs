@@ -6,11 +6,11 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 use syn::Expr;
 
-use super::names::{self, handle, hidden, label, numbered, plain, private, span};
+use super::names::{self, Ends, handle, hidden, label, numbered, plain, private, span};
 use super::rewrite::{Rewrite, Scope};
 use super::{captures, reductions};
 use crate::kernel::access::{Plan, View, plan};
-use crate::kernel::model::{Capture, Group, Head, Kernel, Loop, Sieve};
+use crate::kernel::model::{Boundary, Capture, Group, Head, Kernel, Loop, Sieve};
 
 /// A loop under expansion.
 pub(super) struct Launch<'a> {
@@ -66,6 +66,7 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
     let hold = captures::hold(parallel);
     let hold_traits = (!hold.is_empty()).then(|| quote!(use #private::{Hold as _, Lend as _};));
     let space_trait = (!always_fits).then(|| quote!(use #private::Space as _;));
+    let wraps = launch.wraps();
     let options = launch.options();
     let entry = if always_fits && launch.plan.targets.is_empty() { quote!(launch_own) } else { quote!(launch) };
     let copies = launch.copies();
@@ -90,6 +91,7 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
             let #fits = #fits_value;
             #before
             #assert_shared
+            #wraps
             #outs #private::#entry(&#space, #options, #[inline(always)] |#task| {
                 #copies
                 #hold
@@ -208,6 +210,25 @@ impl Launch<'_> {
         (quote!(#(#checks)&&*), false)
     }
 
+    /// The checks that reads across the edges lead to the other colour.
+    fn wraps(&self) -> TokenStream {
+        let mut told: Vec<(usize, &[i32])> = Vec::new();
+        let mut checks = TokenStream::new();
+        for &node in &self.parallel.accesses {
+            let access = self.kernel.access(node);
+            let View::Beside(offset) = &self.plan.views[self.plan.view_of[&node]].view else { continue };
+            if !matches!(access.boundary, Boundary::Wrapped) || told.contains(&(access.field, offset.as_slice())) {
+                continue;
+            }
+            told.push((access.field, offset));
+            let ends = Ends::of(&access.target);
+            let handle = ends.local(&handle(&self.kernel.fields[access.field]));
+            let check = ends.call(&handle, "wraps_evenly", self.offset(offset));
+            checks.extend(quote!(#check;));
+        }
+        checks
+    }
+
     /// Offsets as an array; none stand for zeros over an unknown number of axes.
     fn offset(&self, offset: &[i32]) -> TokenStream {
         if self.parallel.rank.is_none() {
@@ -265,13 +286,17 @@ impl Launch<'_> {
         let views = self.plan.views.iter().enumerate().map(|(number, planned)| {
             let (name, handle) = (self.view_name(number), handle(&self.kernel.fields[planned.field]));
             let tag = self.tag(planned.field, &planned.path);
-            match planned.view {
+            match &planned.view {
                 View::Any => quote!(let #name = #handle.read(#tag);),
                 View::OwnFree => quote!(let #name = #handle.own_free(&#task, #tag);),
                 View::Accumulate => {
                     let slot = self.plan.targets.iter().position(|(field, _)| *field == planned.field);
                     let slot = slot.unwrap_or_default();
                     quote!(let #name = #handle.accumulate(&#task, #slot, #tag);)
+                }
+                View::Beside(offset) => {
+                    let offset = self.offset(offset);
+                    quote!(let #name = #handle.beside(&#task, #tag, #offset);)
                 }
                 View::Own | View::Row(_) => TokenStream::new(),
             }
@@ -299,7 +324,7 @@ impl Launch<'_> {
                     let offset = self.offset(offset);
                     views.extend(quote!(let #name = #handle.row(&#run, #tag, #offset);));
                 }
-                View::OwnFree | View::Any | View::Accumulate => {}
+                View::OwnFree | View::Any | View::Beside(_) | View::Accumulate => {}
             }
             if let Some(hoisted) = self.hoisted(number) {
                 hoists.extend(quote!(let #hoisted = #name.get(&#cell);));

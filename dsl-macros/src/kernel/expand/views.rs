@@ -29,7 +29,7 @@ pub(super) fn access(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, ac
     }
     let cell = ends.local(&hidden("cell"));
     let places = match planned.view {
-        View::Own | View::Row(_) => quote!(&#cell),
+        View::Own | View::Row(_) | View::Beside(_) => quote!(&#cell),
         View::OwnFree => {
             let places = promised(rewrite, places(rewrite, access));
             quote!(&#cell, #places)

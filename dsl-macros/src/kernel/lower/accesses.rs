@@ -50,13 +50,7 @@ impl Lower {
         let span = target.span();
         let target_spot = Spot::new(&target);
         let mut index = *target.index;
-        let place = match self.parallel() {
-            Some(number) => {
-                let parallel = &self.kernel.loops[number];
-                Iteration { variables: &parallel.variables, tuple: parallel.tuple, rank: parallel.rank }.place(&index)
-            }
-            None => Place::Computed,
-        };
+        let place = self.place(&index);
         // An own index is never evaluated: its place in the loop is what counts.
         if matches!(place, Place::Computed | Place::Places(_)) {
             self.visit_expr_mut(&mut index);
@@ -76,12 +70,30 @@ impl Lower {
         node
     }
 
+    /// Where an index lies as seen from the parallel loop around it.
+    fn place(&self, index: &Expr) -> Place {
+        let Some(number) = self.parallel() else { return Place::Computed };
+        let parallel = &self.kernel.loops[number];
+        Iteration { variables: &parallel.variables, tuple: parallel.tuple, rank: parallel.rank }.place(index)
+    }
+
+    /// The same for a read with a rule for indices outside, which may be of any element. Only under a checkerboard do
+    /// constants tell something of it: its colour.
+    fn boundary_place(&self, index: &Expr) -> Place {
+        let coloured = self.parallel().is_some_and(|number| self.kernel.loops[number].head.is_checkerboard());
+        match self.place(index) {
+            place @ Place::Offset(_) if coloured => place,
+            _ => Place::Computed,
+        }
+    }
+
     /// `field.path.clamped(index)` and its like: a read at any index, with a rule for those outside.
     fn boundary_read(&mut self, expr: &mut Expr, base: Base) {
         let spot = Spot::new(expr);
         let Expr::MethodCall(call) = &mut *expr else { return };
         let name = call.method.to_string();
         let mut arguments: Vec<Expr> = call.args.iter().cloned().collect();
+        let place = arguments.first().map_or(Place::Computed, |index| self.boundary_place(index));
         arguments.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
         let mut arguments = arguments.into_iter();
         let (boundary, index) = match (name.as_str(), arguments.next(), arguments.next(), arguments.next()) {
@@ -93,7 +105,7 @@ impl Lower {
                 return self.find(What::BoundaryArguments { field, name }, &spot.tokens);
             }
         };
-        let (Base { field, path }, parallel, place) = (base, self.parallel(), Place::Computed);
+        let (Base { field, path }, parallel) = (base, self.parallel());
         let (action, target, span) = (Action::Read, spot.clone(), spot.tokens.span());
         *expr = self.access_node(Access { field, path, index, place, action, boundary, parallel, spot, target }, span);
     }

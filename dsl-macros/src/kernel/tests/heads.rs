@@ -76,7 +76,7 @@ fn parts_of_fields() {
     body("for (i, j) in u.m.checkerboard(0) {}", &["A0110"]);
     body("for (i, j) in u.interior(1).checkerboard(n) { u[(i, j)] = v[(i - 2, j)]; }", &["A0209"]);
     body("for (i, j) in u.border(1) { u[(i, j)] = v[(i - 2, j)]; }", &[]);
-    body("for (i, j) in u.checkerboard(0) { u[(i, j)] = u[(i - 1, j)]; }", &["A0201"]);
+    body("for (i, j) in u.checkerboard(0) { u[(i, j)] = u[(i - 1, j - 1)]; }", &["A0201"]);
 }
 
 #[test]

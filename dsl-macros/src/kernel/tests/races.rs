@@ -13,6 +13,36 @@ fn in_place_stencils() {
 }
 
 #[test]
+fn the_other_colour_beside_writes() {
+    let of = |statements: &str, codes: &[&str]| {
+        for head in ["u.checkerboard(n)", "u.interior(9).checkerboard(0)", "u.border(n).checkerboard(1)"] {
+            body(&format!("for (i, j) in {head} {{ {statements} }}"), codes);
+        }
+    };
+    of("u[(i, j)] = u[(i - 1, j)] + u[(i + 2, j - 1)] + u.or((i, j + 7), x);", &[]);
+    of("u[(i, j)] += u.clamped((i - 1, j)) + u.clamped((i, j + 1)) + u.wrapped((i - 1, j + 2));", &[]);
+    of("u.m[(i, j)] /= u[(i - 1, j)].m; let y = u.m[(i, j)] + u.v[(n, j)];", &[]);
+    of("u[(i, j)] = u[(i - 1, j + 1)];", &["A0201"]);
+    of("u[(i, j)] = u.or((i - 2, j), x);", &["A0201"]);
+    of("u[(i, j)] = u.wrapped((i, j + 2));", &["A0201"]);
+    of("u[(i, j)] = u.clamped((i - 3, j));", &["A0201"]);
+    of("u[(i, j)] = u.clamped((i - 2, j + 1));", &["A0201"]);
+    of("u[(i, j)] = u.wrapped((i, j));", &["A0201"]);
+    of("u[(i, j)] = u[(i + n, j)];", &["A0201"]);
+    of("u[(i, j)] = u[(j + 1, i)];", &["A0201"]);
+    of("u[(j, i)] = u[(i + 1, j)];", &["A0201"]);
+    of("u[(n, n)] += u[(i + 1, j)];", &["A0203"]);
+    of("u[(i + 1, j)] = x;", &["A0202"]);
+    body("for (i, j) in v.checkerboard(0) { u[(i, j)] = u[(i - 1, j)] + u.or((i, j + 1), x); }", &[]);
+    body("for (i, j) in v.checkerboard(0) { u[(i, j)] = u.clamped((i - 1, j)); }", &["A0201"]);
+    body("for (i, j) in v.checkerboard(0) { u[(i, j)] = u.wrapped((i - 1, j)); }", &["A0201"]);
+    body("for (i, j) in u.colored(2, n) { u[(i, j)] = u[(i - 1, j)]; }", &["A0201"]);
+    body("for ij in u.interior(1).checkerboard(0) { u[ij] = u[ij - IVec2::X] + u.or(ij + ivec2(2, 1), x); }", &[]);
+    body("for ij in u.checkerboard(0) { u[ij] = u[ij + IVec2::ONE]; }", &["A0201"]);
+    body("for a in p.checkerboard(0) { p[a] = p[a + 1] + p.clamped(a - 1) + p.wrapped(a + 3); }", &[]);
+}
+
+#[test]
 fn plain_scatters() {
     body("for a in q { p[perm[a]] = x; }", &["A0202"]);
     body("for a in q { p[q.id[a]] = x; }", &["A0202"]);
