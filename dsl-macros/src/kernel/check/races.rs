@@ -162,9 +162,16 @@ fn stencil(kernel: &Kernel, number: usize, clash: &Clash, diagnostics: &mut Diag
             error.note("reads of the other colour stand beside writes at the own index with the variables in their order, and no others");
         }
     }
-    error
-        .help("read from one field and write to another, and swap the two between calls")
-        .help("or write `#[serial]` before the loop to run it on one thread");
+    error.help("read from one field and write to another, and swap the two between calls");
+    let over = kernel.loops[number].head.field() == Some(access.field);
+    let odd = matches!(&access.place, Place::Offset(offset) if offset.iter().map(|o| o & 1).sum::<i32>() % 2 == 1);
+    if over && odd && across(kernel, number, access) == Across::NoCheckerboard {
+        let field = &kernel.fields[access.field].name;
+        error.help(format!(
+            "or relax in place, one colour after the other: loop over `{field}.checkerboard(0)` and then `{field}.checkerboard(1)`"
+        ));
+    }
+    error.help("or write `#[serial]` before the loop to run it on one thread");
 }
 
 fn scatter(found: &Loop, access: &Access, diagnostics: &mut Diagnostics) {

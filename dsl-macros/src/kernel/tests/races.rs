@@ -133,6 +133,7 @@ fn a_clash_names_the_other_access() {
 `u[i + 1]` is read in a parallel loop that writes `u` [A0201]
 = note: `u[i]` is written in line 3, by every iteration at its own index: whether this read comes before or after depends on the threads
 = help: read from one field and write to another, and swap the two between calls
+= help: or relax in place, one colour after the other: loop over `u.checkerboard(0)` and then `u.checkerboard(1)`
 = help: or write `#[serial]` before the loop to run it on one thread
 "#);
 }
