@@ -234,6 +234,8 @@
 extern crate self as allotrope;
 
 mod axes;
+#[cfg(doctest)]
+pub mod book;
 mod capture;
 mod element;
 mod enumeration;

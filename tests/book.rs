@@ -1,0 +1,70 @@
+//! The book: every chapter is in its summary and among the tests of the documentation, its links lead somewhere, and its commands exist.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+fn source() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/book/src")
+}
+
+/// The chapters' names and texts.
+fn chapters() -> Vec<(String, String)> {
+    let files = fs::read_dir(source()).expect("the book's folder").map(|entry| entry.expect("an entry").path());
+    let text = |path: PathBuf| {
+        let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
+        (name, fs::read_to_string(&path).expect("a chapter"))
+    };
+    files.map(text).filter(|(name, _)| name != "SUMMARY").collect()
+}
+
+/// The targets of links: `[..](target)`.
+fn links(text: &str) -> Vec<&str> {
+    text.split("](").skip(1).filter_map(|rest| rest.split_once(')')).map(|(target, _)| target).collect()
+}
+
+#[test]
+fn every_chapter_is_listed_and_tested() {
+    let names: BTreeSet<String> = chapters().into_iter().map(|(name, _)| name).collect();
+    let summary = fs::read_to_string(source().join("SUMMARY.md")).expect("a summary");
+    let listed: BTreeSet<String> = links(&summary).iter().map(|link| link.trim_end_matches(".md").to_owned()).collect();
+    assert_eq!(listed, names);
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let module = fs::read_to_string(root.join("dsl-runtime/src/book.rs")).expect("the module of the book's tests");
+    let (_, list) = module.split_once("\nchapters! {").expect("a list");
+    let tested: BTreeSet<String> = list.trim_end().trim_end_matches('}').split_whitespace().map(String::from).collect();
+    assert_eq!(tested, names);
+}
+
+#[test]
+fn links_lead_somewhere() {
+    let mut checked = 0;
+    for (name, text) in chapters() {
+        for link in links(&text).into_iter().filter(|link| !link.starts_with("http")) {
+            let path = source().join(link.split('#').next().unwrap_or_default());
+            assert!(path.exists(), "{name}.md links to {link}, which is not there");
+            checked += 1;
+        }
+    }
+    assert!(checked > 5, "only {checked} links");
+}
+
+#[test]
+fn commands_exist() {
+    let mut checked = 0;
+    for (name, text) in chapters() {
+        for line in text.lines().filter(|line| line.starts_with("allotrope ")) {
+            let command = line.split_whitespace().nth(1).expect("a command");
+            let output =
+                Command::new(env!("CARGO_BIN_EXE_allotrope")).args([command, "--help"]).output().expect("runs");
+            let help = String::from_utf8_lossy(&output.stdout);
+            assert!(output.status.success(), "{name}.md: {line}");
+            for option in line.split_whitespace().filter(|word| word.starts_with("--")) {
+                assert!(help.contains(option), "{name}.md: {line}: there is no {option}");
+            }
+            checked += 1;
+        }
+    }
+    assert!(checked >= 4, "only {checked} commands");
+}
