@@ -83,10 +83,8 @@ fn numbers_of_both_precisions() {
     let expected = run::<f64, Aos>(1e-12);
     assert_eq!(expected[0], 8.0 * 63.0);
     assert_eq!(run::<f64, Soa>(1e-12), expected);
-    assert_eq!(run::<f64, Blocked<4>>(1e-12), expected);
-    for changes in [run::<f32, Aos>(1e-5), run::<f32, layout!(dense(ji).split)>(1e-5), run::<f32, Morton<4>>(1e-5)] {
-        assert!(changes.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-3), "{changes:?} {expected:?}");
-    }
+    let changes = run::<f32, layout!(dense(ji).split)>(1e-5);
+    assert!(changes.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-3), "{changes:?} {expected:?}");
 }
 
 #[test]
@@ -119,7 +117,7 @@ fn elements_records_and_axes() {
         assert_eq!(to.to_vec(), from.to_vec());
     }
     run::<f32, Aos, Soa>(|n| n as f32);
-    run::<Vec3, Split, Blocked<2>>(|n| vec3(n as f32, 1.0, -1.0));
+    run::<Vec3, Split, Aos>(|n| vec3(n as f32, 1.0, -1.0));
     run::<[u8; 3], layout!(dense(kji).aos), Split>(|n| [n as u8; 3]);
     let mut single = Field::<bool, Aos>::new([]);
     copy::<bool, O>(&Field::<bool, Aos>::new([]).with_background(true), &mut single);
@@ -202,7 +200,7 @@ fn kernels_in_generic_impl_blocks() {
     }
     run::<f32, Aos>();
     run::<f64, Soa>();
-    run::<f32, Blocked<2>>();
+    run::<f32, layout!(dense(ji).split)>();
 }
 
 /// A function around kernels, generic over the member.
