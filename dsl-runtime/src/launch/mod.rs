@@ -92,13 +92,13 @@ mod versions {
         plain(body, task)
     }
 
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", not(allotrope_sanitized)))]
     #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
     pub(super) fn avx2<S: Space, Out, F: Fn(Task<'_, S>) -> Out>(body: &F, task: Task<'_, S>) -> Out {
         plain(body, task)
     }
 
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", not(allotrope_sanitized)))]
     #[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq,avx512vl,avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
     pub(super) fn avx512<S: Space, Out, F: Fn(Task<'_, S>) -> Out>(body: &F, task: Task<'_, S>) -> Out {
         plain(body, task)
@@ -120,10 +120,10 @@ fn dispatch<const CAREFUL: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
     }
     match cpu {
         // SAFETY: `Cpu::chosen` and `Schedule::run` admit only instruction sets that the processor has.
-        #[cfg(target_arch = "x86_64")]
+        #[cfg(all(target_arch = "x86_64", not(allotrope_sanitized)))]
         Cpu::Avx512 => unsafe { versions::avx512(body, task) },
         // SAFETY: as above.
-        #[cfg(target_arch = "x86_64")]
+        #[cfg(all(target_arch = "x86_64", not(allotrope_sanitized)))]
         Cpu::Avx2 => unsafe { versions::avx2(body, task) },
         _ => versions::baseline(body, task),
     }

@@ -6,23 +6,18 @@ mod beside;
 mod boundaries;
 mod captures;
 mod enumerations;
-mod functions;
-mod generic;
 mod heads;
+// A sanitizer keeps account of all memory, touched or not.
+#[cfg(not(allotrope_sanitized))]
 mod large;
 mod loops;
-mod members;
 mod mpm;
-mod nested;
 mod order;
 mod panics;
 mod parts;
 mod random;
 mod reductions;
-mod slices;
-mod spatial;
 mod stencils;
-mod unchecked;
 mod unrolled;
 
 use allotrope::prelude::*;
