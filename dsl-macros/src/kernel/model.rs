@@ -199,6 +199,11 @@ pub(crate) enum Action {
         op: Op,
         value: Expr,
     },
+    /// `.fetch_add(value)` and its like: changes the element and returns what was there, in one step.
+    Exchange {
+        method: Ident,
+        arguments: Vec<Expr>,
+    },
 }
 
 /// One step from an element to a part of it.
@@ -281,6 +286,8 @@ pub(crate) struct Loop {
     pub(crate) rank: Option<usize>,
     /// The schedule from `#[scatter(..)]`.
     pub(crate) scatter: Option<Ident>,
+    /// Whether iterations may meet in elements: `#[relaxed]`.
+    pub(crate) relaxed: bool,
     /// Attributes that are Rust's.
     pub(crate) attributes: Vec<syn::Attribute>,
     pub(crate) body: Block,
@@ -496,8 +503,8 @@ pub(crate) enum What {
     OutermostUnroll,
     /// A pattern of a parallel loop that is no name or tuple of names.
     Pattern,
-    /// An attribute that is not available yet.
-    LaterAttribute { name: String },
+    /// `#[relaxed]` on a loop that is not parallel.
+    RelaxedPlace,
     /// `#[scatter(..)]` with something else inside.
     ScatterName { found: String },
     /// `#[scatter(..)]` on a loop that is not parallel.
@@ -526,8 +533,8 @@ pub(crate) enum What {
     FieldMethod { field: usize, name: String, later: bool },
     /// `f.clamped`, `f.wrapped` or `f.or` with more or fewer arguments than it takes.
     BoundaryArguments { field: String, name: String },
-    /// A method of an element that is not available yet.
-    ElementMethod { name: String },
+    /// `fetch_add` and its like of a component, or with more or fewer arguments than it takes.
+    Exchange { name: String, takes: usize, part: bool },
     /// The value of an assignment to an element.
     AssignmentValue { text: String, accumulates: bool },
     /// A destructuring assignment to elements.

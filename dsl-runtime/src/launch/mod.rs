@@ -34,6 +34,8 @@ pub struct Options<'a> {
     pub scatter: Option<Scatter>,
     /// The fields that the loop accumulates into, by slot.
     pub targets: &'a [&'a dyn Scattered],
+    /// If iterations read and change elements of each other: whether every component there can be reached atomically.
+    pub together: Option<bool>,
 }
 
 impl core::fmt::Debug for Options<'_> {
@@ -50,6 +52,7 @@ pub struct Task<'t, S> {
     units: Range<usize>,
     fits: bool,
     atomic: bool,
+    alone: bool,
     roots: &'t [*mut u8],
     owner: PhantomData<*mut ()>,
 }
@@ -76,6 +79,12 @@ impl<S: Space> Task<'_, S> {
     #[inline(always)]
     pub(crate) fn atomic(&self) -> bool {
         self.atomic
+    }
+
+    /// Whether one thread runs the whole loop.
+    #[inline(always)]
+    pub(crate) fn alone(&self) -> bool {
+        self.alone
     }
 }
 
@@ -195,7 +204,14 @@ fn start<const CAREFUL: bool, S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + S
     }
     let schedule = Schedule::current();
     let cpu = schedule.instruction_set();
-    let threads = if Inside::now() { 1 } else { schedule.thread_count() };
+    assert!(
+        options.together.is_none() || !schedule.deterministic,
+        "kernel `{}`: iterations that meet in one element, in a `#[relaxed]` loop or by `fetch_add` and its like, come in no fixed order, which `deterministic` forbids",
+        options.kernel
+    );
+    let alone = Inside::now() || options.together == Some(false);
+    let threads = if alone { 1 } else { schedule.thread_count() };
+    let alone = threads == 1;
     let grain = grain(&schedule, options.heavy);
     // Blocks, and with them the order of reductions, follow from the work alone, never from the threads.
     let blocks = (elements / grain).clamp(1, MOST_BLOCKS).min(units);
@@ -203,7 +219,8 @@ fn start<const CAREFUL: bool, S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + S
     let block = |b: usize| units * b / blocks..units * (b + 1) / blocks;
 
     let run = |b: usize, roots: &[*mut u8]| {
-        let task = Task { space, units: block(b), fits: options.fits, atomic: plan.atomic, roots, owner: PhantomData };
+        let task =
+            Task { space, units: block(b), fits: options.fits, atomic: plan.atomic, alone, roots, owner: PhantomData };
         dispatch::<CAREFUL, S, Out, F>(cpu, body, task)
     };
     if size_of::<Out>() == 0 {

@@ -18,6 +18,7 @@ mod parts;
 mod random;
 mod reductions;
 mod stencils;
+mod together;
 mod unrolled;
 
 use allotrope::prelude::*;

@@ -261,7 +261,20 @@ impl Launch<'_> {
             });
             quote!(&#handle.target(#slot, &[#(#members),*]))
         });
-        quote!(#private::Options { kernel: #kernel, fits: #fits, heavy: #heavy, scatter: #scatter, targets: &[#(#targets),*] })
+        let mut together = Vec::new();
+        for planned in self.plan.views.iter().filter(|planned| planned.view.is_together()) {
+            let (handle, tag) = (handle(&self.kernel.fields[planned.field]), self.tag(planned.field, &planned.path));
+            together.push(quote!(#handle.is_aligned(#tag)));
+        }
+        let together = match together.as_slice() {
+            [] => quote!(::core::option::Option::None),
+            together => quote!(::core::option::Option::Some(#(#together)&&*)),
+        };
+        quote! {
+            #private::Options {
+                kernel: #kernel, fits: #fits, heavy: #heavy, scatter: #scatter, targets: &[#(#targets),*], together: #together
+            }
+        }
     }
 
     /// Copies of the handles in the job's frame.
@@ -298,6 +311,8 @@ impl Launch<'_> {
                     let offset = self.offset(offset);
                     quote!(let #name = #handle.beside(&#task, #tag, #offset);)
                 }
+                View::Together => quote!(let #name = #handle.together(&#task, #tag);),
+                View::AccumulateTogether => quote!(let #name = #handle.accumulate_together(&#task, #tag);),
                 View::Own | View::Row(_) => TokenStream::new(),
             }
         });
@@ -324,7 +339,7 @@ impl Launch<'_> {
                     let offset = self.offset(offset);
                     views.extend(quote!(let #name = #handle.row(&#run, #tag, #offset);));
                 }
-                View::OwnFree | View::Any | View::Beside(_) | View::Accumulate => {}
+                _ => {}
             }
             if let Some(hoisted) = self.hoisted(number) {
                 hoists.extend(quote!(let #hoisted = #name.get(&#cell);));

@@ -20,17 +20,17 @@ use crate::kernel::text::text;
 /// Methods of fields that the language knows and this version lacks.
 const LATER_FIELD_METHODS: &[&str] = &["append", "try_append", "activate", "deactivate", "is_active", "row"];
 
-/// Methods of elements that the language knows and this version lacks.
-const LATER_ELEMENT_METHODS: &[&str] = &[
-    "fetch_add",
-    "fetch_sub",
-    "fetch_min",
-    "fetch_max",
-    "fetch_or",
-    "fetch_and",
-    "fetch_xor",
-    "swap",
-    "compare_exchange",
+/// Methods of elements that return the old value, and how many arguments each takes.
+const EXCHANGES: &[(&str, usize)] = &[
+    ("fetch_add", 1),
+    ("fetch_sub", 1),
+    ("fetch_min", 1),
+    ("fetch_max", 1),
+    ("fetch_or", 1),
+    ("fetch_and", 1),
+    ("fetch_xor", 1),
+    ("swap", 1),
+    ("compare_exchange", 2),
 ];
 
 impl Lower {
@@ -292,19 +292,35 @@ impl Lower {
             }
             return self.field_method(expr, base.field, base.path.is_empty(), &name);
         }
-        if self.is_access(&call.receiver)
-            && LATER_ELEMENT_METHODS.contains(&name.as_str())
-            && (name != "swap" || call.args.len() == 1)
-        {
-            let method = call.method.clone();
-            self.find(What::ElementMethod { name }, &method);
-            return call.args.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
+        if self.exchange(expr) {
+            return;
         }
+        let Expr::MethodCall(call) = &mut *expr else { return };
         let function = call.method.to_string();
         self.visit_expr_mut(&mut call.receiver);
         for argument in &mut call.args {
             self.visit_argument(argument, &function);
         }
+    }
+
+    /// `field.path[index].fetch_add(value)` and its like; `false` if it is none.
+    fn exchange(&mut self, expr: &mut Expr) -> bool {
+        let Expr::MethodCall(call) = &*expr else { return false };
+        let (name, given) = (call.method.to_string(), call.args.len());
+        let Some(&(_, takes)) = EXCHANGES.iter().find(|(known, _)| *known == name) else { return false };
+        let Some((access, part)) = self.target(&call.receiver) else { return false };
+        // Arrays and slices swap two of their own elements.
+        if name == "swap" && given == 2 {
+            return false;
+        }
+        let (spot, method) = (Spot::new(expr), call.method.clone());
+        let mut arguments: Vec<Expr> = call.args.iter().cloned().collect();
+        arguments.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
+        if given != takes || !part.is_empty() {
+            self.find(What::Exchange { name, takes, part: !part.is_empty() }, &spot.tokens);
+        }
+        *expr = self.access(access, Action::Exchange { method, arguments }, spot);
+        true
     }
 
     fn field_method(&mut self, expr: &mut Expr, field: usize, whole: bool, name: &str) {

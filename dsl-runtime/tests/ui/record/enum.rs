@@ -7,10 +7,4 @@ enum Material {
     Solid { stiffness: f32 },
 }
 
-#[derive(Record, Clone, Copy)]
-union Bits {
-    float: f32,
-    bits: u32,
-}
-
 fn main() {}

@@ -9,11 +9,4 @@ fn number(keys: &Field<u32, _>, bins: &mut Field<u32, _>, slots: &mut Field<u32,
     }
 }
 
-#[kernel]
-fn swap(u: &mut Field<u32, _>, v: &mut Field<u32, _>) {
-    for p in u {
-        (u[p], v[p]) = (v[p], u[p]);
-    }
-}
-
 fn main() {}
