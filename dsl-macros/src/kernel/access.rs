@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use syn::Ident;
 
-use super::model::{Access, Action, Boundary, Group, Kernel, Op, Place, Slot};
+use super::model::{Access, Action, Boundary, Group, Kernel, Linear, Op, Place, Slot};
 
 /// What an access means for others.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -328,6 +328,10 @@ pub(crate) struct Plan {
     pub(crate) overlapping: Vec<usize>,
     /// The offsets to check once a launch.
     pub(crate) reach: Reach,
+    /// The multiples of the loop's variables to check once a launch, and their fields.
+    pub(crate) boxes: Vec<(usize, Vec<Linear>)>,
+    /// The box of each access that has one, by node.
+    pub(crate) box_of: BTreeMap<usize, usize>,
     /// The largest offset along each axis.
     pub(crate) halo: Option<Vec<i32>>,
     /// The fields accumulated into, in the order of their slots, with their members.
@@ -347,6 +351,8 @@ pub(crate) fn plan(kernel: &Kernel, number: usize) -> Plan {
         light: !parallel.loops,
         overlapping: Vec::new(),
         reach: BTreeMap::new(),
+        boxes: Vec::new(),
+        box_of: BTreeMap::new(),
         halo: parallel.rank.map(|rank| vec![0; rank]),
         targets: Vec::new(),
     };
@@ -371,6 +377,9 @@ pub(crate) fn plan(kernel: &Kernel, number: usize) -> Plan {
             _ => view(kernel, number, access),
         };
         plan.note_reach(parallel.head.field(), parallel.rank, access, &view);
+        if matches!(view, View::Any | View::OwnFree) && !parallel.jumps && !kernel.unchecked {
+            plan.note_box(kernel.fields[access.field].rank, node, access);
+        }
         plan.light &= matches!(view, View::Own | View::Row(_));
         if view == View::Accumulate {
             plan.note_target(access);
@@ -430,6 +439,20 @@ impl Plan {
         let (low, high) = self.reach.entry(access.field).or_insert_with(|| (offset.clone(), offset.clone()));
         low.iter_mut().zip(&offset).for_each(|(low, offset)| *low = (*low).min(*offset));
         high.iter_mut().zip(&offset).for_each(|(high, offset)| *high = (*high).max(*offset));
+    }
+
+    /// An index that is checked once a launch.
+    fn note_box(&mut self, rank: Option<usize>, node: usize, access: &Access) {
+        let Some(places) = access.linear.as_ref().filter(|places| !places.is_empty() && rank == Some(places.len()))
+        else {
+            return;
+        };
+        let same = |known: &(usize, Vec<Linear>)| known.0 == access.field && known.1 == *places;
+        let number = self.boxes.iter().position(same).unwrap_or_else(|| {
+            self.boxes.push((access.field, places.clone()));
+            self.boxes.len() - 1
+        });
+        self.box_of.insert(node, number);
     }
 
     fn note_target(&mut self, access: &Access) {

@@ -140,6 +140,8 @@ pub(crate) struct Access {
     pub(crate) place: Place,
     /// What is done there.
     pub(crate) action: Action,
+    /// The index as multiples of the loop's variables, where it is that and every iteration comes by.
+    pub(crate) linear: Option<Vec<Linear>>,
     /// What a read means where the index lies outside of the field.
     pub(crate) boundary: Boundary,
     /// The parallel loop around it.
@@ -148,6 +150,24 @@ pub(crate) struct Access {
     pub(crate) spot: Spot,
     /// `field.path[index]` alone.
     pub(crate) target: Spot,
+}
+
+/// One place of an index: `factor * variable + offset`, and a name that is added or subtracted.
+#[derive(Clone, PartialEq, Eq)]
+pub(crate) struct Linear {
+    /// The loop variable, and what it is multiplied by.
+    pub(crate) variable: Option<(usize, i32)>,
+    pub(crate) offset: i32,
+    pub(crate) name: Option<Added>,
+}
+
+/// A name that is added in a place of an index.
+#[derive(Clone, PartialEq, Eq)]
+pub(crate) struct Added {
+    pub(crate) name: Ident,
+    pub(crate) subtracted: bool,
+    /// The half-open range of an unrolled loop's variable; none for a variable from outside of the parallel loop.
+    pub(crate) range: Option<(i32, i32)>,
 }
 
 /// What a read at an index outside of the field means.
@@ -307,6 +327,8 @@ pub(crate) struct Loop {
     pub(crate) inner: Vec<InnerLoop>,
     /// Whether there is any inner loop.
     pub(crate) loops: bool,
+    /// Whether anything jumps, so that iterations may pass by accesses.
+    pub(crate) jumps: bool,
     /// Whether a `continue` of this loop occurs.
     pub(crate) continues: bool,
     /// Fields used only through `len`, `shape` or an inner loop's head.
@@ -350,6 +372,11 @@ impl Head {
             Head::Sifted { base, sieve } => matches!(sieve, Sieve::Checkerboard(_)) || base.is_checkerboard(),
             Head::Field(_) | Head::Interior { .. } | Head::Ranges(_) | Head::Invalid => false,
         }
+    }
+
+    /// Whether it is over some of the elements of another head.
+    pub(crate) fn is_sifted(&self) -> bool {
+        matches!(self, Head::Sifted { .. })
     }
 
     /// The border that it leaves out.

@@ -10,7 +10,7 @@ use crate::index::Integer;
 use crate::layout::node::{nth_row, order, rows};
 use crate::layout::{Digit, Geometry, Inner, Layout, flat, run_axis};
 use crate::record::Record;
-use crate::view::View;
+use crate::view::{Places, View};
 
 /// What a parallel loop runs over. The list is closed: each element is visited exactly once.
 #[doc(hidden)]
@@ -58,6 +58,18 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
             first >= 0 && end <= i64::from(shape[a])
         };
         Self::RANK == X::RANK && (self.elements() == 0 || (0..X::RANK).all(within))
+    }
+
+    /// Whether indices in which the loop's variables stand so lie within a field, for the whole box.
+    fn holds<A: Places, R: Record, L: Layout<X>, X: Axes, const WRITE: bool>(
+        &self,
+        field: View<'_, R, L, X, WRITE>,
+        places: A,
+    ) -> bool {
+        let (first, end) = self.bounds();
+        let extremes = places.extremes(&first, &end);
+        let within = |a: usize| extremes[a].0 >= 0 && extremes[a].1 < i64::from(field.handle.geometry.shape[a]);
+        self.elements() == 0 || (0..X::RANK).all(within)
     }
 }
 

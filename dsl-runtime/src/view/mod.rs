@@ -17,7 +17,7 @@ pub use accumulate::negative;
 pub use base::Based;
 pub use beside::Beside;
 pub(crate) use free::Places;
-pub use free::{Free, Var};
+pub use free::{Boxed, Free, Linear, Var};
 pub use read::Read;
 pub use readable::Readable;
 pub use row::{Buffer, Held, Own, Row, buffer};

@@ -10,6 +10,7 @@ mod heads;
 // A sanitizer keeps account of all memory, touched or not.
 #[cfg(not(allotrope_sanitized))]
 mod large;
+mod linear;
 mod loops;
 mod mpm;
 mod order;

@@ -57,7 +57,7 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
         Launch { kernel, parallel, plan: plan(kernel, number), held: captures::held(parallel), based: BTreeMap::new() };
     let private = private();
     let (space, fits, task, run) = (hidden("space"), hidden("fits"), hidden("task"), hidden("run"));
-    let handles = launch.handles();
+    let (handles, boxes) = (launch.handles(), launch.boxes());
     let (bounds, over) = launch.space();
     let (fits_value, always_fits) = launch.fits();
     let pieces = reductions::pieces(parallel);
@@ -87,6 +87,7 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
             #space_trait
             #bounds
             #handles
+            #boxes
             let #space = #over;
             let #fits = #fits_value;
             #before
@@ -190,7 +191,7 @@ impl Launch<'_> {
     /// Whether all rows lie within their fields, and whether that needs no check.
     fn fits(&self) -> (TokenStream, bool) {
         let space = hidden("space");
-        let checks: Vec<_> = self
+        let mut checks: Vec<_> = self
             .plan
             .reach
             .iter()
@@ -200,6 +201,7 @@ impl Launch<'_> {
                 quote!(#space.fits(#handle, #low, #high))
             })
             .collect();
+        checks.extend(self.box_checks(&space));
         if checks.is_empty() {
             return (quote!(true), true);
         }

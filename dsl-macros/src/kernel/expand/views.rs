@@ -30,7 +30,9 @@ pub(super) fn access(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, ac
         return ends.call(&view, "lent", TokenStream::new());
     }
     let cell = ends.local(&hidden("cell"));
+    let boxed = launch.boxed(node, access, &rewrite.expr(&access.index));
     let places = match planned.view {
+        View::OwnFree | View::Any if boxed.is_some() => quote!(&#cell, #boxed),
         View::Own | View::Row(_) | View::Beside(_) => quote!(&#cell),
         View::OwnFree => {
             let places = promised(rewrite, places(rewrite, access));
@@ -42,6 +44,9 @@ pub(super) fn access(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, ac
     let based = launch.based(node);
     let read = match (&access.boundary, &based) {
         (Boundary::Checked, Some((base, offset))) => ends.call(&view, "get_at", quote!(&#base, #offset)),
+        (Boundary::Checked, None) if boxed.is_some() && planned.view == View::Any => {
+            ends.call(&view, "get_in", places.clone())
+        }
         (Boundary::Checked, None) => ends.call(&view, "get", places.clone()),
         (Boundary::Clamped, _) => ends.call(&view, "clamped", places.clone()),
         (Boundary::Wrapped, _) => ends.call(&view, "wrapped", places.clone()),

@@ -51,6 +51,7 @@ impl Lower {
         let target_spot = Spot::new(&target);
         let mut index = *target.index;
         let place = self.place(&index);
+        let linear = self.linear(&index, &place);
         // An own index is never evaluated: its place in the loop is what counts.
         if matches!(place, Place::Computed | Place::Places(_)) {
             self.visit_expr_mut(&mut index);
@@ -58,7 +59,7 @@ impl Lower {
         let boundary = Boundary::Checked;
         let (parallel, target) = (self.parallel(), target_spot);
         let Base { field, path } = base;
-        self.access_node(Access { field, path, index, place, action, boundary, parallel, spot, target }, span)
+        self.access_node(Access { field, path, index, place, linear, action, boundary, parallel, spot, target }, span)
     }
 
     fn access_node(&mut self, access: Access, span: Span) -> Expr {
@@ -106,8 +107,9 @@ impl Lower {
             }
         };
         let (Base { field, path }, parallel) = (base, self.parallel());
-        let (action, target, span) = (Action::Read, spot.clone(), spot.tokens.span());
-        *expr = self.access_node(Access { field, path, index, place, action, boundary, parallel, spot, target }, span);
+        let (linear, action, target, span) = (None, Action::Read, spot.clone(), spot.tokens.span());
+        let access = Access { field, path, index, place, linear, action, boundary, parallel, spot, target };
+        *expr = self.access_node(access, span);
     }
 
     /// `field.path.get_unchecked(index)` and `field.path.set_unchecked(index, value)`: whatever the caller promises.
@@ -365,7 +367,8 @@ impl Lower {
                 let (index, place, action, boundary) =
                     (Expr::Verbatim(Default::default()), Place::Computed, Action::Read, Boundary::Lent);
                 let target = spot.clone();
-                let access = Access { field, path, index, place, action, boundary, parallel, spot, target };
+                let linear = None;
+                let access = Access { field, path, index, place, linear, action, boundary, parallel, spot, target };
                 *argument = self.access_node(access, span);
             }
             None if parallel.is_some() && self.borrowed_base(argument).is_some() => {

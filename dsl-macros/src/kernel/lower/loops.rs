@@ -123,12 +123,14 @@ impl Lower {
             macros: Vec::new(),
             inner: Vec::new(),
             loops: false,
+            jumps: false,
             continues: false,
             shapes: BTreeSet::new(),
             unchecked: BTreeMap::new(),
         });
         self.mode = Mode::Parallel(number);
         let depth = mem::replace(&mut self.loop_depth, self.scopes.depth());
+        let branches = mem::take(&mut self.branches);
         self.targets.push(Target::Parallel { number, label: label_name(&repeat.label) });
         self.scopes.enter();
         for variable in variables.iter().flatten() {
@@ -138,6 +140,7 @@ impl Lower {
         self.scopes.leave();
         self.targets.pop();
         self.loop_depth = depth;
+        self.branches = branches;
         self.mode = Mode::Top;
         self.kernel.loops[number].body = body;
         self.separate_reductions(number);
@@ -193,7 +196,7 @@ impl Lower {
         }
         self.scopes.enter();
         self.bind_pattern(&repeat.pat);
-        self.visit_block_mut(&mut repeat.body);
+        self.branch(|this| this.visit_block_mut(&mut repeat.body));
         self.scopes.leave();
         self.targets.pop();
         self.mode = mode;
