@@ -173,6 +173,8 @@ codes! {
     TooManyNodes = A0419,
     /// `pad` that is not right before the place, or not by a power of two.
     WrongPad = A0420,
+    /// A branch that names no members, over other axes, or one too many.
+    WrongBranch = A0421,
     /// `%` of a number below zero.
     NegativeRemainder = A0501,
     /// `unroll!` that writes a body out very often.

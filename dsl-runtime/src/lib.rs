@@ -73,6 +73,7 @@
 //! | `.soa` | for each member, all values of the node |
 //! | `.split` | for each scalar component of each member, all values of the node |
 //! | `.place([v, m], [split(c)])` | groups: each is interleaved, groups follow one another; `split` takes a member apart. Written with its record: `layout!(Node: dense(ij).place(..))` |
+//! | `chain + chain` | branches: members under different nodes, `layout!(Node: dense(ij).place([v]) + dense(ji).dense(j, 8).place([m]))`. Every member stands in one of them, all go over the same axes, and there are four at most. A loop then names the branch by a member: `for ij in grid.m` |
 //!
 //! Named ones, for any axes: [`Aos`](layout::Aos), [`Soa`](layout::Soa), [`Split`](layout::Split), [`AoSoA<N>`](layout::AoSoA) (blocks of `N` along the last
 //! axis, each member by member), [`Blocked<N>`](layout::Blocked) (blocks of `N` along every axis) and [`Morton<N>`](layout::Morton) (the same in
@@ -121,6 +122,7 @@
 //! | loop head | runs over |
 //! | --- | --- |
 //! | `for p in points`, `for ij in grid`, `for (i, j) in grid` | the field's elements, each thread in the order in which they lie in memory. The index is `i32`, `IVec2`, `IVec3` or `IVec4`, or a tuple of `i32` |
+//! | `for ij in grid.m` | the same in the order of the branch in which `m` stands (see [`Both`](layout::Both)); parts of it likewise: `grid.m.interior(1)` |
 //! | `for (i, j) in grid.interior(1)`, `grid.border(1)` | all but a border of that width; the border alone |
 //! | `for (i, j) in grid.checkerboard(0)` | the elements whose coordinates' sum has that parity, 0 or 1 |
 //! | `for (i, j) in grid.colored(2, c)` | those whose coordinates modulo 2 spell `c`, the first axis most significant |

@@ -7,8 +7,8 @@ pub use crate::exchange::{
 pub use crate::index::wide;
 pub use crate::launch::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, sifted};
 pub use crate::launch::{
-    Cell, Options, Outs, Partial, Reduction, Run, Space, Strip, Task, interior, launch, launch_own, over, range,
-    reduction,
+    Cell, Options, Outs, Partial, Reduction, Run, Space, Strip, Task, interior, launch, launch_own, of_branch, over,
+    range, reduction,
 };
 pub use crate::number::{BitAnd, BitOr, BitXor, ComponentMul, Max, Min, Product, Sum};
 pub use crate::record::{At, ElementList, MemberMuts, MemberRefs, MemberSpec, Path, Tag, Whole};

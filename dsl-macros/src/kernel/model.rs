@@ -344,10 +344,10 @@ pub(crate) struct InnerLoop {
 
 /// What a loop runs over.
 pub(crate) enum Head {
-    /// `for p in f`.
-    Field(usize),
+    /// `for p in f`, or `for p in f.m` for the branch of a member.
+    Field(Branch),
     /// `for p in f.interior(width)`.
-    Interior { field: usize, width: Box<Expr> },
+    Interior { branch: Branch, width: Box<Expr> },
     /// Those elements of a head over a field that a sieve lets through.
     Sifted { base: Box<Head>, sieve: Sieve },
     /// `for i in a..b`, or several ranges in `ndrange!`.
@@ -360,7 +360,7 @@ impl Head {
     /// The field that the loop runs over.
     pub(crate) fn field(&self) -> Option<usize> {
         match self {
-            Head::Field(field) | Head::Interior { field, .. } => Some(*field),
+            Head::Field(branch) | Head::Interior { branch, .. } => Some(branch.field),
             Head::Sifted { base, .. } => base.field(),
             Head::Ranges(_) | Head::Invalid => None,
         }
@@ -387,6 +387,12 @@ impl Head {
             Head::Field(_) | Head::Ranges(_) | Head::Invalid => None,
         }
     }
+}
+
+/// A field, and a member of the branch of its layout whose elements are visited.
+pub(crate) struct Branch {
+    pub(crate) field: usize,
+    pub(crate) path: Vec<Ident>,
 }
 
 /// Which elements of a head are visited.

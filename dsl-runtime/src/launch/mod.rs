@@ -14,7 +14,7 @@ use std::sync::{Mutex, PoisonError};
 pub use reduction::{Partial, Reduction, Strip, reduction};
 pub use run::{Cell, Run};
 pub use sieve::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, sifted};
-pub use space::{Space, interior, over, range};
+pub use space::{Space, interior, of_branch, over, range};
 
 use crate::scatter::{self, Scattered};
 use crate::schedule::{Inside, Scatter, Schedule};
@@ -60,14 +60,24 @@ pub struct Task<'t, S> {
 impl<S: Space> Task<'_, S> {
     /// Visits the task's runs in memory order. Whole runs of blocks are written out: for small bodies.
     #[inline(always)]
-    pub fn rows(&self, body: impl FnMut(Run<'_, S>)) {
-        self.space.visit::<true>(self.units.clone(), self.fits, body);
+    pub fn rows(&self, mut body: impl FnMut(Run<'_, S>)) {
+        self.space.visit::<true>(
+            self.units.clone(),
+            self.fits,
+            #[inline(always)]
+            |run| once(&mut body, run),
+        );
     }
 
     /// Visits the task's runs in memory order, with one copy of the body: for large bodies.
     #[inline(always)]
-    pub fn runs(&self, body: impl FnMut(Run<'_, S>)) {
-        self.space.visit::<false>(self.units.clone(), self.fits, body);
+    pub fn runs(&self, mut body: impl FnMut(Run<'_, S>)) {
+        self.space.visit::<false>(
+            self.units.clone(),
+            self.fits,
+            #[inline(always)]
+            |run| once(&mut body, run),
+        );
     }
 
     /// Where this job accumulates for the field of a slot.
@@ -86,6 +96,14 @@ impl<S: Space> Task<'_, S> {
     pub(crate) fn alone(&self) -> bool {
         self.alone
     }
+}
+
+/// Calls a body. With debug assertions it has one copy for all places that call it: without optimisation, the frame of a function with
+/// dozens of them takes more than a thread's stack.
+#[cfg_attr(debug_assertions, inline(never))]
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn once<T>(body: &mut impl FnMut(T), at: T) {
+    body(at);
 }
 
 /// Body versions. In the plain ones `fits` holds and updates are plain, as constants; the careful one asks at run time.

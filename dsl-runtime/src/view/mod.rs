@@ -280,11 +280,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes> View<'a, R, L, X, true> {
 
     /// Whether every component that a path names lies at a multiple of its size, where it can be reached atomically.
     pub fn is_aligned<P: Path<R>>(&self, _: P) -> bool {
-        let streams = const { Map::<R, L, X>::STREAMS };
         let mut members = 0..R::Elements::MEMBERS.len();
-        match P::MEMBER {
-            Some(member) => streams.aligned(member),
-            None => members.all(|member| streams.aligned(member)),
-        }
+        P::MEMBER.map_or_else(|| members.all(Map::<R, L, X>::aligned), Map::<R, L, X>::aligned)
     }
 }

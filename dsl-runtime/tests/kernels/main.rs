@@ -4,6 +4,7 @@ mod accumulate;
 mod axes;
 mod beside;
 mod boundaries;
+mod branches;
 mod captures;
 mod enumerations;
 mod heads;

@@ -10,7 +10,7 @@ use super::names::{self, Ends, handle, hidden, label, numbered, plain, private, 
 use super::rewrite::{Rewrite, Scope};
 use super::{captures, reductions};
 use crate::kernel::access::{Plan, View, plan};
-use crate::kernel::model::{Boundary, Capture, Group, Head, Kernel, Loop, Sieve};
+use crate::kernel::model::{Boundary, Branch, Capture, Group, Head, Kernel, Loop, Sieve};
 
 /// A loop under expansion.
 pub(super) struct Launch<'a> {
@@ -149,17 +149,14 @@ impl Launch<'_> {
         let private = private();
         let host = Rewrite { kernel: self.kernel, scope: Scope::Host };
         match head {
-            Head::Field(field) => {
-                let handle = handle(&self.kernel.fields[*field]);
-                (TokenStream::new(), quote!(#private::over(#handle)))
-            }
-            Head::Interior { field, width } => {
-                let (handle, value) = (handle(&self.kernel.fields[*field]), host.expr(width));
+            Head::Field(branch) => (TokenStream::new(), self.branch(branch, None)),
+            Head::Interior { branch, width } => {
+                let value = host.expr(width);
                 if matches!(**width, Expr::Lit(_)) {
-                    return (TokenStream::new(), quote!(#private::interior(#handle, #value)));
+                    return (TokenStream::new(), self.branch(branch, Some(value)));
                 }
                 let local = Ident::new("__width", Span::mixed_site().located_at(span(width)));
-                (quote!(let #local = #value;), quote!(#private::interior(#handle, #local)))
+                (quote!(let #local = #value;), self.branch(branch, Some(quote!(#local))))
             }
             Head::Sifted { base, sieve } => {
                 let (bounds, space) = self.space_of(base);
@@ -185,6 +182,20 @@ impl Launch<'_> {
                 (quote!(let #local = #private::range((#(#ranges)*));), quote!(#local))
             }
             Head::Invalid => unreachable!("a kernel with an invalid head is not expanded"),
+        }
+    }
+
+    /// All elements of a field but a border, in the order of one branch.
+    fn branch(&self, branch: &Branch, width: Option<TokenStream>) -> TokenStream {
+        let (private, handle) = (private(), handle(&self.kernel.fields[branch.field]));
+        match (branch.path.is_empty(), width) {
+            (true, None) => quote!(#private::over(#handle)),
+            (true, Some(width)) => quote!(#private::interior(#handle, #width)),
+            (false, width) => {
+                let tag = self.tag(branch.field, &branch.path);
+                let width = width.unwrap_or_else(|| quote!(0));
+                quote!(#private::of_branch(#handle, #tag, #width))
+            }
         }
     }
 

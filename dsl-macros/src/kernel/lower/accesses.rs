@@ -14,7 +14,7 @@ use crate::kernel::model::{
     Access, Action, Assigned, Boundary, Capture, FieldCall, Group, Node, Op, Place, Projection, Reduce, Reduction,
     Spot, UncheckedAccess, What,
 };
-use crate::kernel::syntax::{bare, compound, name_of};
+use crate::kernel::syntax::{bare, compound};
 use crate::kernel::text::text;
 
 /// Methods of fields that the language knows and this version lacks.
@@ -387,10 +387,5 @@ impl Lower {
             }
             None => visit_mut::visit_expr_mut(self, expr),
         }
-    }
-
-    /// Whether an expression is a name that stands for a field.
-    pub(super) fn field_name(&self, expr: &Expr) -> Option<usize> {
-        self.field(name_of(expr)?)
     }
 }
