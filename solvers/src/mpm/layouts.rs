@@ -1,11 +1,11 @@
-//! The layouts in which the fluid is compiled. Each costs build time, so six are always there and the others stand
+//! The layouts in which the kernels are compiled. Each costs build time, so six are always there and the others stand
 //! behind the feature `all-layouts`.
 
 use allotrope::prelude::*;
 
 use super::continuum::{plane, space};
 use super::driver::Driver;
-use super::fluid::{Fluid2, Fluid3};
+use super::fluid::Fluid;
 use super::materials::Model;
 use super::medium::Medium;
 use super::stability;
@@ -14,8 +14,7 @@ use crate::{Built, LayoutInfo, Scene, SceneError};
 
 /// A layout of particles, whatever their record.
 trait OfPoints {
-    type Fluid2: Layout<I> + 'static;
-    type Fluid3: Layout<I> + 'static;
+    type Fluid: Layout<I> + 'static;
     type Affine2: Layout<I> + 'static;
     type Affine3: Layout<I> + 'static;
     type Plain2: Layout<I> + 'static;
@@ -28,8 +27,7 @@ trait OfPoints {
 macro_rules! for_all_records {
     ($($layout:ty),*) => {$(
         impl OfPoints for $layout {
-            type Fluid2 = Self;
-            type Fluid3 = Self;
+            type Fluid = Self;
             type Affine2 = Self;
             type Affine3 = Self;
             type Plain2 = Self;
@@ -47,8 +45,7 @@ struct Hot;
 
 impl OfPoints for Hot {
     // A fluid's particles are hot all over.
-    type Fluid2 = Aos;
-    type Fluid3 = Aos;
+    type Fluid = Aos;
     type Affine2 = plane::HotAffine;
     type Affine3 = space::HotAffine;
     type Plain2 = plane::HotPlain;
@@ -130,8 +127,8 @@ where
     stability::check(scene, &particles)?;
     if is_fluid(scene) {
         return match scene.dimensions {
-            2 => boxed::<Fluid2<P::Fluid2, G>>(scene, &particles),
-            _ => boxed::<Fluid3<P::Fluid3, G>>(scene, &particles),
+            2 => boxed::<Fluid<Ij, P::Fluid, G>>(scene, &particles),
+            _ => boxed::<Fluid<Ijk, P::Fluid, G>>(scene, &particles),
         };
     }
     match (scene.transfer.scheme, scene.dimensions) {

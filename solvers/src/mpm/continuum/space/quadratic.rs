@@ -12,7 +12,7 @@ pub fn particle_to_grid(points: &Field<AffinePoint, _>, grid: &mut Field<Node, _
         let xp = points.x[p] * mpm.constants.inv_dx;
         let base = (xp - 0.5).as_ivec3();
         let fx = xp - base.as_vec3();
-        let w = quadratic_weights(fx);
+        let w = quadratic_weights::<Ijk, f32>(fx);
         let mass = points.mass[p];
         let momentum = mass * points.v[p];
         let affine = mpm.constants.impulse * mpm.constants.inv_moment * points.stress[p] + mass * points.c[p];
@@ -33,7 +33,7 @@ pub fn grid_to_particle(points: &mut Field<AffinePoint, _>, grid: &Field<Node, _
         let xp = points.x[p] * mpm.constants.inv_dx;
         let base = (xp - 0.5).as_ivec3();
         let fx = xp - base.as_vec3();
-        let w = quadratic_weights(fx);
+        let w = quadratic_weights::<Ijk, f32>(fx);
         let mut v = Vec3::ZERO;
         let mut c = Mat3::ZERO;
         for (i, j, k) in unroll!(0..3, 0..3, 0..3) {
