@@ -40,7 +40,10 @@ pub(super) fn expand(layout: &Layout) -> TokenStream {
         let kind = if node.curve { quote!(Curve) } else { quote!(Dense) };
         inner = quote!(::allotrope::layout::#kind<#order, #a, #b, #c, #d, #inner>);
     }
-    if let (Some(record), false) = (&layout.record, layout.names_members()) {
+    if let Some(record) = &layout.record
+        && !layout.names_members()
+        && !takes_types(record)
+    {
         // The name stands for nothing here, but must be a type's.
         root = Some(quote!({ #[allow(dead_code)] fn is_type(_: #record) {} #root }));
     }
@@ -76,10 +79,16 @@ fn size(size: Option<&Size>) -> TokenStream {
     }
 }
 
+/// Whether a record is written with types, `Point<X>`: they may be parameters of what the layout stands in, which no item in a constant may name.
+fn takes_types(record: &Path) -> bool {
+    record.segments.iter().any(|segment| !segment.arguments.is_none())
+}
+
 fn place(place: &Place, record: Option<&Path>) -> TokenStream {
     match (&place.kind, record) {
         (PlaceKind::Groups(groups), Some(record)) => {
-            let mut check = Some(members_check(groups, record));
+            // What a check in a constant cannot say of a record that takes types, the library says when the field is compiled.
+            let mut check = (!takes_types(record)).then(|| members_check(groups, record));
             let groups = groups.iter().map(|group| {
                 let members = group.members.iter().map(|member| placed(member, check.take()));
                 quote!((#(#members,)*))

@@ -32,6 +32,18 @@ pub(super) fn node<X: Spatial>(index: X::Index) -> IVec3 {
     ivec3(index[0], index[1], if X::RANK > 2 { index[2] } else { 0 })
 }
 
+/// A velocity with a third component.
+#[inline(always)]
+pub(super) fn raised<X: Spatial>(v: X::Vec<f32>) -> Vec3 {
+    vec3(v[0], v[1], if X::RANK > 2 { v[2] } else { 0.0 })
+}
+
+/// A velocity without its third component, where there is none.
+#[inline(always)]
+pub(super) fn lowered<X: Spatial>(v: Vec3) -> X::Vec<f32> {
+    X::Vec::<f32>::from_fn(|axis| v[axis])
+}
+
 /// How many nodes a grid has along three axes.
 pub(super) fn nodes<X: Spatial>(shape: X::Extents) -> [usize; 3] {
     std::array::from_fn(|axis| shape.as_ref().get(axis).copied().unwrap_or(1))
