@@ -89,7 +89,7 @@ pub unsafe trait Element: Copy + Send + Sync + 'static {
     fn combine(a: Self, b: Self, f: impl Fn(Self::Scalar, Self::Scalar) -> Self::Scalar) -> Self;
     /// The element all of whose components are the same.
     #[doc(hidden)]
-    fn splat(scalar: Self::Scalar) -> Self;
+    fn of_scalar(scalar: Self::Scalar) -> Self;
     /// What the bytes of all components, in the order of this machine, hold that is no value of the type: every pattern of bits is a number,
     /// but not every byte is a `bool`.
     #[doc(hidden)]
@@ -136,7 +136,7 @@ macro_rules! scalars {
                 f(a, b)
             }
             #[inline(always)]
-            fn splat(scalar: Self) -> Self {
+            fn of_scalar(scalar: Self) -> Self {
                 scalar
             }
             fn wrong(bytes: &[u8]) -> Option<i64> {
@@ -201,7 +201,7 @@ macro_rules! packed {
                 a
             }
             #[inline(always)]
-            fn splat(scalar: $scalar) -> Self {
+            fn of_scalar(scalar: $scalar) -> Self {
                 let mut value = core::mem::MaybeUninit::<Self>::uninit();
                 let to = value.as_mut_ptr().cast::<$scalar>();
                 times::<$components>(
@@ -245,7 +245,7 @@ unsafe impl Element for glam::Vec3A {
         glam::Vec3::combine(a.into(), b.into(), f).into()
     }
     #[inline(always)]
-    fn splat(scalar: f32) -> Self {
+    fn of_scalar(scalar: f32) -> Self {
         Self::splat(scalar)
     }
 }
@@ -279,8 +279,8 @@ unsafe impl<T: Element, const N: usize> Element for [T; N] {
         )
     }
     #[inline(always)]
-    fn splat(scalar: T::Scalar) -> Self {
-        [T::splat(scalar); N]
+    fn of_scalar(scalar: T::Scalar) -> Self {
+        [T::of_scalar(scalar); N]
     }
     fn wrong(bytes: &[u8]) -> Option<i64> {
         bytes.chunks_exact((T::COMPONENTS * size_of::<T::Scalar>()).max(1)).find_map(T::wrong)

@@ -101,7 +101,7 @@ macro_rules! __enumeration {
                 f($crate::__private::Code::of(a), $crate::__private::Code::of(b)).variant()
             }
             #[inline(always)]
-            fn splat(scalar: Self::Scalar) -> Self {
+            fn of_scalar(scalar: Self::Scalar) -> Self {
                 scalar.variant()
             }
             fn wrong(bytes: &[u8]) -> ::core::option::Option<i64> {

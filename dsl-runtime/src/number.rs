@@ -230,7 +230,7 @@ impl<S: Scalar + PartialEq, O: Operator<S>> Operator<S> for Kept<O> {
 /// The element whose components are the operator's identity.
 #[inline(always)]
 pub(crate) fn identity<O: Operator<E::Scalar>, E: Element>() -> E {
-    E::splat(O::IDENTITY)
+    E::of_scalar(O::IDENTITY)
 }
 
 /// Applies an operator component by component.
@@ -272,7 +272,7 @@ macro_rules! component_mul {
             impl ComponentMul<$scalar> for $vector {
                 #[inline(always)]
                 fn factor(by: $scalar) -> Self {
-                    <$vector as Element>::splat(by)
+                    <$vector as Element>::of_scalar(by)
                 }
             }
         )*

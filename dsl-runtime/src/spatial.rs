@@ -5,7 +5,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, DivAssign, Index, IndexMut, Mul, MulAssign, Neg, Rem, Sub, SubAssign};
 
-use crate::axes::{Axes, Ij, Ijk};
+use crate::axes::{Axes, Ij, Ijk, Shape};
 use crate::element::Element;
 use crate::index::IntoIndex;
 use crate::random::Random;
@@ -57,43 +57,43 @@ pub use crate::real::Real;
     message = "`{Self}` are not the axes of a plane or of space",
     note = "write `Ij` or `Ijk`"
 )]
-pub trait Spatial: Axes<Index: IndexVector<Self>> + Default + PartialEq + Debug {
+pub trait Spatial: Axes<Index: IndexVector<Self>, Extents: Shape<X = Self>> + Default + PartialEq + Debug {
     /// A vector of numbers: `Vec2`, `DVec2`, `Vec3` or `DVec3`.
     type Vec<T: Real>: Vector<T, Self>;
     /// A square matrix of numbers, such as `Mat2`.
     type Mat<T: Real>: Matrix<T, Self::Vec<T>>;
+    /// Extents, of which [`Field::new`](crate::Field::new) makes a field over these axes.
+    ///
+    /// ```
+    /// use allotrope::prelude::*;
+    /// use allotrope::spatial::*;
+    ///
+    /// fn cube<X: Spatial>(side: usize) -> Field<f32, Soa, X>
+    /// where
+    ///     Soa: Layout<X>,
+    /// {
+    ///     Field::<f32, Soa>::new(X::shape(|_axis| side))
+    /// }
+    ///
+    /// assert_eq!(cube::<Ij>(8).shape(), [8, 8]);
+    /// assert_eq!(cube::<Ijk>(8).shape(), [8, 8, 8]);
+    /// ```
+    fn shape(extent: impl FnMut(usize) -> usize) -> Self::Extents;
     /// Calls `body` with each index whose coordinates are `low` to `high - 1`, written out, the last axis fastest.
     #[doc(hidden)]
     fn unrolled<const LENGTH: usize>(low: i32, body: impl FnMut(Self::Index));
-    /// The same in loops.
+    /// The same in loops. Inlined all the same: a call would take the body's variables by their addresses, and what has an address is not kept
+    /// in registers where the loop is written out, either.
     #[doc(hidden)]
-    fn rolled<const LENGTH: usize>(low: i32, mut body: impl FnMut(Self::Index)) {
-        let high = low + LENGTH as i32;
-        let mut at = Self::Index::splat(low);
-        if LENGTH == 0 {
-            return;
-        }
-        loop {
-            body(at);
-            let mut axis = Self::RANK;
-            loop {
-                if axis == 0 {
-                    return;
-                }
-                axis -= 1;
-                at[axis] += 1;
-                if at[axis] < high {
-                    break;
-                }
-                at[axis] = low;
-            }
-        }
-    }
+    fn rolled<const LENGTH: usize>(low: i32, body: impl FnMut(Self::Index));
 }
 
 impl Spatial for Ij {
     type Vec<T: Real> = T::Vec2;
     type Mat<T: Real> = T::Mat2;
+    fn shape(extent: impl FnMut(usize) -> usize) -> [usize; 2] {
+        core::array::from_fn(extent)
+    }
     #[inline(always)]
     fn unrolled<const LENGTH: usize>(low: i32, mut body: impl FnMut(glam::IVec2)) {
         crate::element::times::<LENGTH>(
@@ -106,11 +106,22 @@ impl Spatial for Ij {
             },
         );
     }
+    #[inline(always)]
+    fn rolled<const LENGTH: usize>(low: i32, mut body: impl FnMut(glam::IVec2)) {
+        for i in low..low + LENGTH as i32 {
+            for j in low..low + LENGTH as i32 {
+                body(glam::ivec2(i, j));
+            }
+        }
+    }
 }
 
 impl Spatial for Ijk {
     type Vec<T: Real> = T::Vec3;
     type Mat<T: Real> = T::Mat3;
+    fn shape(extent: impl FnMut(usize) -> usize) -> [usize; 3] {
+        core::array::from_fn(extent)
+    }
     #[inline(always)]
     fn unrolled<const LENGTH: usize>(low: i32, mut body: impl FnMut(glam::IVec3)) {
         crate::element::times::<LENGTH>(
@@ -124,11 +135,22 @@ impl Spatial for Ijk {
             },
         );
     }
+    #[inline(always)]
+    fn rolled<const LENGTH: usize>(low: i32, mut body: impl FnMut(glam::IVec3)) {
+        for i in low..low + LENGTH as i32 {
+            Ij::rolled::<LENGTH>(
+                low,
+                #[inline(always)]
+                |jk| body(glam::ivec3(i, jk.x, jk.y)),
+            );
+        }
+    }
 }
 
 /// An index of [`Spatial`] axes, `IVec2` or `IVec3`: coordinates by `index[axis]`.
 pub trait IndexVector<X: Spatial<Index = Self>>:
     IntoIndex<X>
+    + Element<Scalar = i32>
     + Default
     + Add<Output = Self>
     + Sub<Output = Self>
@@ -145,6 +167,8 @@ pub trait IndexVector<X: Spatial<Index = Self>>:
 {
     /// All coordinates the same.
     fn splat(coordinate: i32) -> Self;
+    /// The coordinate along each axis.
+    fn from_fn(coordinate: impl FnMut(usize) -> i32) -> Self;
     /// The coordinates as numbers.
     fn to_vec<T: Real>(self) -> X::Vec<T>;
     /// The smaller coordinate along each axis.
@@ -154,11 +178,15 @@ pub trait IndexVector<X: Spatial<Index = Self>>:
 }
 
 macro_rules! index_vectors {
-    ($($index:ident over $axes:ident: $vec:ident, $($component:ident)*;)*) => {$(
+    ($($index:ident over $axes:ident: $vec:ident, $($axis:literal)*;)*) => {$(
         impl IndexVector<$axes> for glam::$index {
             #[inline(always)]
             fn splat(coordinate: i32) -> Self {
                 Self::splat(coordinate)
+            }
+            #[inline(always)]
+            fn from_fn(mut coordinate: impl FnMut(usize) -> i32) -> Self {
+                Self::new($(coordinate($axis)),*)
             }
             #[inline(always)]
             fn to_vec<T: Real>(self) -> T::$vec {
@@ -176,13 +204,13 @@ macro_rules! index_vectors {
     )*};
 }
 index_vectors! {
-    IVec2 over Ij: Vec2, x y;
-    IVec3 over Ijk: Vec3, x y z;
+    IVec2 over Ij: Vec2, 0 1;
+    IVec3 over Ijk: Vec3, 0 1 2;
 }
 
 /// A vector along [`Spatial`] axes: components by `v[axis]`. A factor stands behind it: `v * x`.
 ///
-/// Its functions are glam's.
+/// Its functions are glam's, and [`from_fn`](Vector::from_fn), whose calls are written out: of what the optimiser sees through, no loop remains.
 pub trait Vector<T: Real, X: Spatial>:
     Element<Scalar = T>
     + Random
@@ -210,6 +238,21 @@ pub trait Vector<T: Real, X: Spatial>:
     fn zero() -> Self;
     /// All components the same.
     fn splat(component: T) -> Self;
+    /// The component along each axis.
+    ///
+    /// ```
+    /// use allotrope::prelude::*;
+    /// use allotrope::spatial::*;
+    ///
+    /// /// The product of one weight an axis.
+    /// fn weight<X: Spatial, T: Real>(weights: &[X::Vec<T>; 3], offset: X::Index) -> T {
+    ///     X::Vec::<T>::from_fn(|axis| weights[offset[axis] as usize][axis]).element_product()
+    /// }
+    ///
+    /// let weights = [vec2(0.1, 0.2), vec2(0.3, 0.4), vec2(0.5, 0.6)];
+    /// assert_eq!(weight::<Ij, f32>(&weights, ivec2(2, 0)), 0.5 * 0.2);
+    /// ```
+    fn from_fn(component: impl FnMut(usize) -> T) -> Self;
     /// The coordinates of an index.
     fn from_index(index: X::Index) -> Self;
     /// The integer parts of the components, towards zero.
@@ -234,12 +277,16 @@ pub trait Vector<T: Real, X: Spatial>:
     fn min_element(self) -> T;
     /// The largest component.
     fn max_element(self) -> T;
+    /// The sum of the components.
+    fn element_sum(self) -> T;
+    /// The product of the components.
+    fn element_product(self) -> T;
     /// Whether all components are finite.
     fn is_finite(self) -> bool;
 }
 
 macro_rules! vectors {
-    ($($vec:ident of $real:ident over $axes:ident, $index:ident by $from:ident and $to:ident;)*) => {$(
+    ($($vec:ident of $real:ident over $axes:ident $($axis:literal)*, $index:ident by $from:ident and $to:ident;)*) => {$(
         impl Vector<$real, $axes> for glam::$vec {
             #[inline(always)]
             fn zero() -> Self {
@@ -248,6 +295,10 @@ macro_rules! vectors {
             #[inline(always)]
             fn splat(component: $real) -> Self {
                 Self::splat(component)
+            }
+            #[inline(always)]
+            fn from_fn(mut component: impl FnMut(usize) -> $real) -> Self {
+                Self::new($(component($axis)),*)
             }
             #[inline(always)]
             fn from_index(index: glam::$index) -> Self {
@@ -260,7 +311,7 @@ macro_rules! vectors {
             vectors!(@functions
                 dot(other: Self) -> $real; length() -> $real; length_squared() -> $real; normalize_or_zero() -> Self;
                 min(other: Self) -> Self; max(other: Self) -> Self; abs() -> Self; floor() -> Self; min_element() -> $real;
-                max_element() -> $real; is_finite() -> bool;
+                max_element() -> $real; element_sum() -> $real; element_product() -> $real; is_finite() -> bool;
             );
         }
     )*};
@@ -272,15 +323,15 @@ macro_rules! vectors {
     )*};
 }
 vectors! {
-    Vec2 of f32 over Ij, IVec2 by as_vec2 and as_ivec2;
-    DVec2 of f64 over Ij, IVec2 by as_dvec2 and as_ivec2;
-    Vec3 of f32 over Ijk, IVec3 by as_vec3 and as_ivec3;
-    DVec3 of f64 over Ijk, IVec3 by as_dvec3 and as_ivec3;
+    Vec2 of f32 over Ij 0 1, IVec2 by as_vec2 and as_ivec2;
+    DVec2 of f64 over Ij 0 1, IVec2 by as_dvec2 and as_ivec2;
+    Vec3 of f32 over Ijk 0 1 2, IVec3 by as_vec3 and as_ivec3;
+    DVec3 of f64 over Ijk 0 1 2, IVec3 by as_dvec3 and as_ivec3;
 }
 
 /// A square matrix over [`Spatial`] axes, `V` its columns.
 ///
-/// Its functions are glam's, but for `zero`, `identity`, `outer` and `trace`.
+/// Its functions are glam's, but for `zero`, `identity`, `from_fn`, `outer` and `trace`.
 pub trait Matrix<T: Real, V>:
     Element<Scalar = T>
     + Default
@@ -300,6 +351,15 @@ pub trait Matrix<T: Real, V>:
     fn zero() -> Self;
     /// Ones on the diagonal.
     fn identity() -> Self;
+    /// The component of each row and column.
+    ///
+    /// ```
+    /// use allotrope::prelude::*;
+    /// use allotrope::spatial::*;
+    /// let matrix = <Mat2 as Matrix<f32, Vec2>>::from_fn(|row, column| (10 * row + column) as f32);
+    /// assert_eq!(matrix.row(1), vec2(10.0, 11.0));
+    /// ```
+    fn from_fn(component: impl FnMut(usize, usize) -> T) -> Self;
     /// Zero but for the diagonal.
     fn from_diagonal(diagonal: V) -> Self;
     /// The matrix `a b^T`, whose row `i`, column `j` holds `a[i] b[j]`.
@@ -319,7 +379,7 @@ pub trait Matrix<T: Real, V>:
 }
 
 macro_rules! matrices {
-    ($($mat:ident of $real:ident with $vec:ident, $($axis:literal $column:ident)*;)*) => {$(
+    ($($mat:ident of $real:ident with $vec:ident, $($axis:literal)*, $($last:literal $column:ident)*;)*) => {$(
         impl Matrix<$real, glam::$vec> for glam::$mat {
             #[inline(always)]
             fn zero() -> Self {
@@ -328,6 +388,13 @@ macro_rules! matrices {
             #[inline(always)]
             fn identity() -> Self {
                 Self::IDENTITY
+            }
+            #[inline(always)]
+            fn from_fn(mut component: impl FnMut(usize, usize) -> $real) -> Self {
+                Self::from_cols($(<glam::$vec>::from_fn(
+                    #[inline(always)]
+                    |row| component(row, $axis),
+                )),*)
             }
             #[inline(always)]
             fn from_diagonal(diagonal: glam::$vec) -> Self {
@@ -339,7 +406,7 @@ macro_rules! matrices {
             }
             #[inline(always)]
             fn trace(self) -> $real {
-                0.0 $(+ self.$column[$axis])*
+                self.x_axis[0] $(+ self.$column[$last])*
             }
             #[inline(always)]
             fn col(self, axis: usize) -> glam::$vec {
@@ -365,8 +432,8 @@ macro_rules! matrices {
     )*};
 }
 matrices! {
-    Mat2 of f32 with Vec2, 0 x_axis 1 y_axis;
-    DMat2 of f64 with DVec2, 0 x_axis 1 y_axis;
-    Mat3 of f32 with Vec3, 0 x_axis 1 y_axis 2 z_axis;
-    DMat3 of f64 with DVec3, 0 x_axis 1 y_axis 2 z_axis;
+    Mat2 of f32 with Vec2, 0 1, 1 y_axis;
+    DMat2 of f64 with DVec2, 0 1, 1 y_axis;
+    Mat3 of f32 with Vec3, 0 1 2, 1 y_axis 2 z_axis;
+    DMat3 of f64 with DVec3, 0 1 2, 1 y_axis 2 z_axis;
 }

@@ -17,6 +17,11 @@ impl Array {
         Self { name, components: N, values: Values::F32(values.into_iter().flatten().collect()) }
     }
 
+    /// An array of so many numbers a particle or node.
+    pub(crate) fn numbers(name: &'static str, components: usize, values: impl Iterator<Item = f32>) -> Self {
+        Self { name, components, values: Values::F32(values.collect()) }
+    }
+
     /// An array of whole numbers.
     pub(crate) fn whole(name: &'static str, values: Vec<u32>) -> Self {
         Self { name, components: 1, values: Values::U32(values) }
@@ -68,10 +73,15 @@ impl State {
 
     /// The `count` vectors of an array.
     pub(crate) fn floats<const N: usize>(&self, name: &str, count: usize) -> Result<&[[f32; N]], String> {
+        Ok(self.numbers(name, N, count)?.as_chunks().0)
+    }
+
+    /// The numbers of an array of `components` numbers for each of `count` particles.
+    pub(crate) fn numbers(&self, name: &str, components: usize, count: usize) -> Result<&[f32], String> {
         let array = self.array(name)?;
         match &array.values {
-            Values::F32(values) if values.len() == N * count => Ok(values.as_chunks().0),
-            _ => Err(array.fault(N * count)),
+            Values::F32(values) if values.len() == components * count => Ok(values),
+            _ => Err(array.fault(components * count)),
         }
     }
 

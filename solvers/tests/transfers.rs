@@ -2,10 +2,9 @@
 
 use allotrope::prelude::*;
 use allotrope_solvers::Scene;
-use allotrope_solvers::mpm::continuum::plane::{
-    AffinePoint, ChangingNode, Node, PlainPoint, PolynomialPoint, Transfers, affine, plain, polynomial,
+use allotrope_solvers::mpm::continuum::{
+    AffinePoint, ChangingNode, Node, PlainPoint, PolynomialPoint, Transfers, affine, plain, polynomial, quadratic,
 };
-use allotrope_solvers::mpm::continuum::space;
 use allotrope_solvers::scene::{Folder, Forces, Scheme, Spline, Transfer};
 
 const TEXT: &str = r#"
@@ -28,9 +27,9 @@ fn scene(dimensions: usize, transfer: Transfer) -> Scene {
 }
 
 /// The constants of a transfer in which nothing moves and nothing is deformed.
-fn still(scheme: Scheme, spline: Spline) -> Transfers {
+fn still(scheme: Scheme, spline: Spline) -> Transfers<Ij> {
     let forces = if spline == Spline::Linear { Forces::Gradients } else { Forces::LeastSquares };
-    let mut mpm = Transfers::new(&scene(2, Transfer { scheme, spline, forces }));
+    let mut mpm = Transfers::<Ij>::new(&scene(2, Transfer { scheme, spline, forces }));
     (mpm.constants.dt, mpm.constants.impulse) = (0.0, 0.0);
     mpm
 }
@@ -64,13 +63,13 @@ fn kept(points: impl Iterator<Item = (Vec2, Vec2, Mat2)>) -> (f64, f64) {
 fn pic_loses_angular_momentum_as_published() {
     let (mpm, places) = (still(Scheme::Pic, Spline::Quadratic), disk(0.25));
     assert_eq!(places.len(), 812);
-    let mut points = Field::<PlainPoint, Soa>::new([places.len()]);
+    let mut points = Field::<PlainPoint<Ij>, Soa>::new([places.len()]);
     for (p, &x) in places.iter().enumerate() {
         points.set(p, PlainPoint { x, v: rotation(x), mass: 1.0, ..Default::default() });
     }
-    let mut grid = Field::<ChangingNode, Aos>::new([32, 32]);
+    let mut grid = Field::<ChangingNode<Ij>, Aos>::new([32, 32]);
     let obstacles = allotrope_solvers::mpm::obstacles::Obstacles::new(&scene(2, Transfer::default()));
-    let of = |points: &Field<PlainPoint, Soa>| kept(points.iter().map(|point| (point.x, point.v, Mat2::ZERO)));
+    let of = |points: &Field<PlainPoint<Ij>, Soa>| kept(points.iter().map(|point| (point.x, point.v, Mat2::ZERO)));
     let start = of(&points);
     // Jiang et al. 2017, the transfers alone: numbers of an independent program in double precision.
     let table = [(1, 0.985430, 0.971387), (10, 0.870039, 0.761394), (100, 0.266867, 0.072105)];
@@ -90,17 +89,22 @@ fn pic_loses_angular_momentum_as_published() {
 }
 
 /// One round trip of affine particles, by the kernels of any spline or by those of the usual one.
-fn affine_trip(points: &mut Field<AffinePoint, Soa>, grid: &mut Field<Node, Aos, Ij>, mpm: &Transfers, usual: bool) {
+fn affine_trip(
+    points: &mut Field<AffinePoint<Ij>, Soa>,
+    grid: &mut Field<Node<Ij>, Aos, Ij>,
+    mpm: &Transfers<Ij>,
+    usual: bool,
+) {
     let obstacles = allotrope_solvers::mpm::obstacles::Obstacles::new(&scene(2, Transfer::default()));
     affine::clear(grid);
     if usual {
-        allotrope_solvers::mpm::continuum::plane::particle_to_grid(points, grid, mpm);
+        quadratic::particle_to_grid(points, grid, mpm);
     } else {
         affine::particle_to_grid(points, grid, mpm);
     }
     affine::update_grid(grid, mpm, &obstacles);
     if usual {
-        allotrope_solvers::mpm::continuum::plane::grid_to_particle(points, grid, mpm);
+        quadratic::grid_to_particle(points, grid, mpm);
     } else {
         affine::grid_to_particle(points, grid, mpm);
     }
@@ -110,13 +114,13 @@ fn affine_trip(points: &mut Field<AffinePoint, Soa>, grid: &mut Field<Node, Aos,
 fn apic_keeps_angular_momentum_and_energy_of_a_rotation() {
     for (spline, usual) in [(Spline::Quadratic, true), (Spline::Quadratic, false)] {
         let (mpm, places) = (still(Scheme::Apic, spline), disk(0.25));
-        let mut points = Field::<AffinePoint, Soa>::new([places.len()]);
+        let mut points = Field::<AffinePoint<Ij>, Soa>::new([places.len()]);
         for (p, &x) in places.iter().enumerate() {
             let c = Mat2::from_cols(vec2(0.0, 2.0), vec2(-2.0, 0.0));
             points.set(p, AffinePoint { x, v: rotation(x), c, mass: 1.0, ..Default::default() });
         }
-        let mut grid = Field::<Node, Aos>::new([32, 32]);
-        let of = |points: &Field<AffinePoint, Soa>| kept(points.iter().map(|point| (point.x, point.v, point.c)));
+        let mut grid = Field::<Node<Ij>, Aos>::new([32, 32]);
+        let of = |points: &Field<AffinePoint<Ij>, Soa>| kept(points.iter().map(|point| (point.x, point.v, point.c)));
         let start = of(&points);
         for _ in 0..1000 {
             affine_trip(&mut points, &mut grid, &mpm, usual);
@@ -127,7 +131,7 @@ fn apic_keeps_angular_momentum_and_energy_of_a_rotation() {
 }
 
 /// Nodes with velocities between -1 and 1 that have nothing to do with each other.
-fn noise(grid: &mut Field<Node, Aos, Ij>) {
+fn noise(grid: &mut Field<Node<Ij>, Aos, Ij>) {
     let mut state = 1u64;
     let mut next = || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -147,14 +151,14 @@ fn polynomial_trip(modes: usize) -> (f32, f64) {
     let at = |n: usize| 0.375 + (n as f32 + 0.5) / 64.0;
     let places: Vec<Vec2> = (0..16).flat_map(|i| (0..16).map(move |j| vec2(at(i), at(j)))).collect();
     let mpm = still(Scheme::PolyPic { modes }, Spline::Quadratic);
-    let mut points = Field::<PolynomialPoint, AoSoA<16>>::new([places.len()]);
+    let mut points = Field::<PolynomialPoint<Ij>, AoSoA<16>>::new([places.len()]);
     for (p, &x) in places.iter().enumerate() {
         points.set(p, PolynomialPoint { x, mass: 1.0, ..Default::default() });
     }
-    let mut before = Field::<Node, Aos>::new([32, 32]);
+    let mut before = Field::<Node<Ij>, Aos>::new([32, 32]);
     noise(&mut before);
     polynomial::grid_to_particle(&mut points, &before, &mpm);
-    let mut after = Field::<Node, Aos>::new([32, 32]);
+    let mut after = Field::<Node<Ij>, Aos>::new([32, 32]);
     polynomial::particle_to_grid(&points, &mut after, &mpm);
     let (mut worst, mut old, mut new) = (0f32, 0.0, 0.0);
     for (before, after) in before.iter().zip(after.iter()).filter(|(_, after)| after.m > 0.0) {
@@ -183,25 +187,25 @@ fn polypic_with_all_modes_is_the_identity_on_the_grid() {
 #[test]
 fn polypic_in_space_with_all_modes_is_the_identity_too() {
     let transfer = Transfer { scheme: Scheme::PolyPic { modes: 27 }, ..Transfer::default() };
-    let mut mpm = space::Transfers::new(&scene(3, transfer));
+    let mut mpm = Transfers::<Ijk>::new(&scene(3, transfer));
     (mpm.constants.dt, mpm.constants.impulse) = (0.0, 0.0);
-    let mut before = Field::<space::Node, Aos>::new([32, 32, 32]);
+    let mut before = Field::<Node<Ijk>, Aos>::new([32, 32, 32]);
     for i in 0..32i32 {
         for j in 0..32i32 {
             for k in 0..32i32 {
                 let v = vec3((i * 7 % 5) as f32, (j * 3 % 7) as f32, ((i + j * k) % 3) as f32) - 2.0;
-                before.set([i, j, k], space::Node { v, m: 0.0 });
+                before.set([i, j, k], Node { v, m: 0.0 });
             }
         }
     }
-    let mut points = Field::<space::PolynomialPoint, Soa>::new([500]);
+    let mut points = Field::<PolynomialPoint<Ijk>, Soa>::new([500]);
     for p in 0..500usize {
         let x = Vec3::from_array([p * 37 % 500, p * 91 % 500, p].map(|n| 0.2 + 0.6 * n as f32 / 500.0));
-        points.set(p, space::PolynomialPoint { x, mass: 1.0, ..Default::default() });
+        points.set(p, PolynomialPoint { x, mass: 1.0, ..Default::default() });
     }
-    space::polynomial::grid_to_particle(&mut points, &before, &mpm);
-    let mut after = Field::<space::Node, Soa>::new([32, 32, 32]);
-    space::polynomial::particle_to_grid(&points, &mut after, &mpm);
+    polynomial::grid_to_particle(&mut points, &before, &mpm);
+    let mut after = Field::<Node<Ijk>, Soa>::new([32, 32, 32]);
+    polynomial::particle_to_grid(&points, &mut after, &mpm);
     let mut met = 0;
     for (before, after) in before.iter().zip(after.iter()).filter(|(_, after)| after.m > 1e-3) {
         assert!((after.v / after.m - before.v).abs().max_element() < 2e-4, "{before:?} became {after:?}");
@@ -215,10 +219,10 @@ fn one_mode_is_pic_and_those_of_degree_one_are_apic() {
     let places = disk(0.25);
     for modes in [1, 3] {
         let mpm = still(Scheme::PolyPic { modes }, Spline::Quadratic);
-        let mut grid = Field::<Node, Aos>::new([32, 32]);
+        let mut grid = Field::<Node<Ij>, Aos>::new([32, 32]);
         noise(&mut grid);
-        let mut rich = Field::<PolynomialPoint, Soa>::new([places.len()]);
-        let mut affine_points = Field::<AffinePoint, Soa>::new([places.len()]);
+        let mut rich = Field::<PolynomialPoint<Ij>, Soa>::new([places.len()]);
+        let mut affine_points = Field::<AffinePoint<Ij>, Soa>::new([places.len()]);
         for (p, &x) in places.iter().enumerate() {
             rich.set(p, PolynomialPoint { x, mass: 1.0, ..Default::default() });
             affine_points.set(p, AffinePoint { x, mass: 1.0, ..Default::default() });

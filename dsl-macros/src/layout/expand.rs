@@ -12,7 +12,9 @@ use super::model::{
 /// The type of a layout that has passed every check.
 pub(super) fn expand(layout: &Layout) -> TokenStream {
     // A check of all members stands at the first one that is placed.
-    let mut check = layout.record.as_ref().map(|record| members_check(layout, record));
+    // What a check in a constant cannot say of a record that takes types, the library says when the field is compiled.
+    let record = layout.record.as_ref().filter(|record| !takes_types(record));
+    let mut check = record.map(|record| members_check(layout, record));
     let branches: Vec<TokenStream> =
         layout.branches.iter().map(|branch| expand_branch(layout, branch, &mut check)).collect();
     let both = |rest: TokenStream, first: &TokenStream| quote!(::allotrope::layout::Both<#first, #rest>);
@@ -49,7 +51,10 @@ fn expand_branch(layout: &Layout, branch: &Branch, check: &mut Option<TokenStrea
         let kind = if node.curve { quote!(Curve) } else { quote!(Dense) };
         inner = quote!(::allotrope::layout::#kind<#order, #a, #b, #c, #d, #inner>);
     }
-    if let (Some(record), false) = (&layout.record, layout.names_members()) {
+    if let Some(record) = &layout.record
+        && !layout.names_members()
+        && !takes_types(record)
+    {
         // The name stands for nothing here, but must be a type's.
         root = Some(quote!({ #[allow(dead_code)] fn is_type(_: #record) {} #root }));
     }
@@ -83,6 +88,11 @@ fn size(size: Option<&Size>) -> TokenStream {
         Some(Size::Constant(expr)) => quote!({ #expr }),
         Some(Size::Wrong(..)) | None => quote!(1),
     }
+}
+
+/// Whether a record is written with types, `Point<X>`: they may be parameters of what the layout stands in, which no item in a constant may name.
+fn takes_types(record: &Path) -> bool {
+    record.segments.iter().any(|segment| !segment.arguments.is_none())
 }
 
 fn place(place: &Place, layout: &Layout, check: &mut Option<TokenStream>) -> TokenStream {

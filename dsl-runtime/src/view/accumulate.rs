@@ -229,7 +229,7 @@ where
 {
     // `-0.0 - x` is `-x` for floats, and integers wrap.
     E::combine(
-        E::splat(<E::Scalar as Number>::EMPTY_SUM),
+        E::of_scalar(<E::Scalar as Number>::EMPTY_SUM),
         value,
         #[inline(always)]
         |zero, x| zero.minus(x),

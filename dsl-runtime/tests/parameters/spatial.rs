@@ -22,17 +22,13 @@ struct Node<X: Spatial, T: Real> {
 fn weights<X: Spatial, T: Real>(fx: X::Vec<T>) -> [X::Vec<T>; 3] {
     let real = T::from_f64;
     let square = |v: X::Vec<T>| v * v;
-    let half = <X::Vec<T> as Vector<T, X>>::splat(real(0.5));
+    let half = X::Vec::<T>::splat(real(0.5));
     [square(-fx + real(1.5)) * half, -square(fx - real(1.0)) + real(0.75), square(fx - real(0.5)) * half]
 }
 
 /// The product of the weights along all axes.
 fn weight<X: Spatial, T: Real>(w: &[X::Vec<T>; 3], offset: X::Index) -> T {
-    let mut product = T::from_f64(1.0);
-    for axis in 0..X::RANK {
-        product *= w[offset[axis] as usize][axis];
-    }
-    product
+    X::Vec::<T>::from_fn(|axis| w[offset[axis] as usize][axis]).element_product()
 }
 
 /// Scatters mass and momentum with the affine term of APIC.
@@ -167,13 +163,13 @@ fn points_beyond_the_grid_are_errors() {
 fn functions_of_vectors_and_matrices() {
     fn run<X: Spatial, T: Real>() {
         let real = T::from_f64;
-        let mut v = <X::Vec<T> as Vector<T, X>>::splat(real(2.0));
+        let mut v = X::Vec::<T>::splat(real(2.0));
         v[0] = real(-1.5);
         let product = X::Mat::<T>::outer(v, v);
         assert_eq!(product.trace(), v.length_squared());
         assert_eq!(product * v, v * v.dot(v));
         assert_eq!((product.row(1), product.col(0)), (v * real(2.0), v * real(-1.5)));
-        let twice = X::Mat::<T>::from_diagonal(<X::Vec<T> as Vector<T, X>>::splat(real(2.0)));
+        let twice = X::Mat::<T>::from_diagonal(X::Vec::<T>::splat(real(2.0)));
         assert_eq!(twice.inverse() * v, v * real(0.5));
         assert_eq!(twice.determinant(), real(2.0).powi(X::RANK as i32));
         assert_eq!(X::Mat::<T>::identity() - X::Mat::<T>::identity().transpose(), X::Mat::<T>::zero());
@@ -186,4 +182,61 @@ fn functions_of_vectors_and_matrices() {
     run::<Ij, f64>();
     run::<Ijk, f32>();
     run::<Ijk, f64>();
+}
+
+#[test]
+fn functions_from_axes() {
+    fn run<X: Spatial, T: Real>(sum: i32, product: i32)
+    where
+        Soa: Layout<X>,
+    {
+        let index = X::Index::from_fn(|axis| axis as i32 + 2);
+        let v = X::Vec::<T>::from_fn(|axis| T::from_i32(index[axis]));
+        assert_eq!(v, index.to_vec::<T>());
+        assert_eq!((v.element_sum(), v.element_product()), (T::from_i32(sum), T::from_i32(product)));
+        let matrix = X::Mat::<T>::from_fn(|row, column| T::from_i32(10 * row as i32 + column as i32));
+        assert_eq!(matrix.row(1)[0], T::from_i32(10));
+        assert_eq!(matrix.col(1)[0], T::ONE);
+        assert_eq!(matrix.trace(), T::from_i32(11 * (X::RANK * (X::RANK - 1) / 2) as i32));
+        let field = Field::<T, Soa>::new(X::shape(|axis| 4 + axis));
+        assert_eq!(field.shape().as_ref(), &[4, 5, 6][..X::RANK]);
+    }
+    run::<Ij, f32>(5, 6);
+    run::<Ij, f64>(5, 6);
+    run::<Ijk, f32>(9, 24);
+    run::<Ijk, f64>(9, 24);
+}
+
+/// Adds to each cell around a place how many offsets it took to come there: the order of `unroll!`.
+#[kernel]
+fn order<X: Spatial>(places: &Field<X::Index, _>, seen: &mut Field<i32, _, X>) {
+    for p in places {
+        let base = places[p];
+        let mut count = 0;
+        for offset in unroll!(X, -1..2) {
+            count += 1;
+            if (base + offset).min(X::Index::default()) == X::Index::default() {
+                seen[base + offset] += count;
+            }
+        }
+    }
+}
+
+#[test]
+fn offsets_run_in_the_order_of_the_axes() {
+    fn run<X: Spatial>(place: i32) -> Vec<i32>
+    where
+        Soa: Layout<X>,
+    {
+        let mut places = Field::<X::Index, Aos>::new([1]);
+        places.set(0, X::Index::splat(place));
+        let mut seen = Field::<i32, Soa>::new(X::shape(|_axis| 3));
+        order::<X>(&places, &mut seen);
+        seen.to_vec().into_iter().filter(|&count| count > 0).collect()
+    }
+    assert!(run::<Ij>(1).into_iter().eq(1..=9));
+    assert!(run::<Ijk>(1).into_iter().eq(1..=27));
+    // In a corner, where not all offsets lie within, they are taken in loops.
+    assert_eq!(run::<Ij>(0), [5, 6, 8, 9]);
+    assert_eq!(run::<Ijk>(0), [14, 15, 17, 18, 23, 24, 26, 27]);
 }

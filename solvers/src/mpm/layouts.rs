@@ -1,11 +1,11 @@
-//! The layouts in which the fluid is compiled. Each costs build time, so six are always there and the others stand
+//! The layouts in which the kernels are compiled. Each costs build time, so six are always there and the others stand
 //! behind the feature `all-layouts`.
 
 use allotrope::prelude::*;
 
-use super::continuum::{plane, space};
+use super::continuum::{Affine, Continuum, Dimensions, HotAffine, HotPlain, HotPolynomial, Plain, Polynomial};
 use super::driver::Driver;
-use super::fluid::{Fluid2, Fluid3};
+use super::fluid::Fluid;
 use super::materials::Model;
 use super::medium::Medium;
 use super::stability;
@@ -14,28 +14,20 @@ use crate::{Built, LayoutInfo, Scene, SceneError};
 
 /// A layout of particles, whatever their record.
 trait OfPoints {
-    type Fluid2: Layout<I> + 'static;
-    type Fluid3: Layout<I> + 'static;
-    type Affine2: Layout<I> + 'static;
-    type Affine3: Layout<I> + 'static;
-    type Plain2: Layout<I> + 'static;
-    type Plain3: Layout<I> + 'static;
-    type Polynomial2: Layout<I> + 'static;
-    type Polynomial3: Layout<I> + 'static;
+    type Fluid: Layout<I> + 'static;
+    type Affine<X: Dimensions>: Layout<I> + 'static;
+    type Plain<X: Dimensions>: Layout<I> + 'static;
+    type Polynomial<X: Dimensions>: Layout<I> + 'static;
 }
 
 /// Any layout that names no members serves all records.
 macro_rules! for_all_records {
     ($($layout:ty),*) => {$(
         impl OfPoints for $layout {
-            type Fluid2 = Self;
-            type Fluid3 = Self;
-            type Affine2 = Self;
-            type Affine3 = Self;
-            type Plain2 = Self;
-            type Plain3 = Self;
-            type Polynomial2 = Self;
-            type Polynomial3 = Self;
+            type Fluid = Self;
+            type Affine<X: Dimensions> = Self;
+            type Plain<X: Dimensions> = Self;
+            type Polynomial<X: Dimensions> = Self;
         }
     )*};
 }
@@ -47,14 +39,10 @@ struct Hot;
 
 impl OfPoints for Hot {
     // A fluid's particles are hot all over.
-    type Fluid2 = Aos;
-    type Fluid3 = Aos;
-    type Affine2 = plane::HotAffine;
-    type Affine3 = space::HotAffine;
-    type Plain2 = plane::HotPlain;
-    type Plain3 = space::HotPlain;
-    type Polynomial2 = plane::HotPolynomial;
-    type Polynomial3 = space::HotPolynomial;
+    type Fluid = Aos;
+    type Affine<X: Dimensions> = HotAffine<X>;
+    type Plain<X: Dimensions> = HotPlain<X>;
+    type Polynomial<X: Dimensions> = HotPolynomial<X>;
 }
 
 /// A line makes a pair of layouts: its name, the layout of particles, that of the grid, and a word about it.
@@ -128,27 +116,25 @@ where
 {
     let particles = scene.particles()?;
     stability::check(scene, &particles)?;
-    if is_fluid(scene) {
-        return match scene.dimensions {
-            2 => boxed::<Fluid2<P::Fluid2, G>>(scene, &particles),
-            _ => boxed::<Fluid3<P::Fluid3, G>>(scene, &particles),
-        };
+    match scene.dimensions {
+        2 => in_dimensions::<Ij, P, G>(scene, &particles),
+        _ => in_dimensions::<Ijk, P, G>(scene, &particles),
     }
-    match (scene.transfer.scheme, scene.dimensions) {
-        (Scheme::Apic, 2) => boxed::<plane::Continuum<plane::Affine, P::Affine2, G>>(scene, &particles),
-        (Scheme::Apic, _) => boxed::<space::Continuum<space::Affine, P::Affine3, G>>(scene, &particles),
-        (Scheme::Pic | Scheme::Flip { .. }, 2) => {
-            boxed::<plane::Continuum<plane::Plain, P::Plain2, G>>(scene, &particles)
-        }
-        (Scheme::Pic | Scheme::Flip { .. }, _) => {
-            boxed::<space::Continuum<space::Plain, P::Plain3, G>>(scene, &particles)
-        }
-        (Scheme::PolyPic { .. }, 2) => {
-            boxed::<plane::Continuum<plane::Polynomial, P::Polynomial2, G>>(scene, &particles)
-        }
-        (Scheme::PolyPic { .. }, _) => {
-            boxed::<space::Continuum<space::Polynomial, P::Polynomial3, G>>(scene, &particles)
-        }
+}
+
+fn in_dimensions<X, P, G>(scene: &Scene, particles: &Particles) -> Built
+where
+    X: Dimensions,
+    P: OfPoints,
+    G: Layout<X> + 'static,
+{
+    if is_fluid(scene) {
+        return boxed::<Fluid<X, P::Fluid, G>>(scene, particles);
+    }
+    match scene.transfer.scheme {
+        Scheme::Apic => boxed::<Continuum<X, Affine, P::Affine<X>, G>>(scene, particles),
+        Scheme::Pic | Scheme::Flip { .. } => boxed::<Continuum<X, Plain, P::Plain<X>, G>>(scene, particles),
+        Scheme::PolyPic { .. } => boxed::<Continuum<X, Polynomial, P::Polynomial<X>, G>>(scene, particles),
     }
 }
 

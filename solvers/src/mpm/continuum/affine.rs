@@ -1,32 +1,31 @@
 //! APIC (Jiang et al. 2015): a particle carries a velocity and its gradient.
 
 use allotrope::prelude::*;
+use allotrope::spatial::*;
 
-use super::{AffinePoint, Matrix, Node, Nodes, Transfers, Vector, lowered, node, outer, raised};
+use super::{AffinePoint, Dimensions, Node, Transfers};
+use crate::mpm::convert::{lowered, node, raised};
+pub use crate::mpm::fluid::kernels::clear;
 use crate::mpm::materials::Model;
 use crate::mpm::obstacles::Obstacles;
 
-/// Empties the grid.
-#[kernel]
-pub fn clear(grid: &mut Field<Node, _, Nodes>) {
-    for at in grid {
-        grid[at] = Node { v: Vector::ZERO, m: 0.0 };
-    }
-}
-
 /// Scatters mass, momentum and the impulse of the stress of every point to its nodes.
 #[kernel]
-pub fn particle_to_grid(points: &Field<AffinePoint, _>, grid: &mut Field<Node, _, Nodes>, mpm: &Transfers) {
+pub fn particle_to_grid<X: Spatial>(
+    points: &Field<AffinePoint<X>, _>,
+    grid: &mut Field<Node<X>, _, X>,
+    mpm: &Transfers<X>,
+) {
     for p in points {
         let stencil = mpm.stencil(points.x[p]);
         let mass = points.mass[p];
-        let momentum = mass * points.v[p];
-        let affine = mass * points.c[p];
-        let impulse = mpm.constants.impulse * points.stress[p];
+        let momentum = points.v[p] * mass;
+        let affine = points.c[p] * mass;
+        let impulse = points.stress[p] * mpm.constants.impulse;
         for offset in mpm.offsets() {
             let weight = stencil.weight(offset);
             let carried = momentum + affine * mpm.lever(&stencil, offset);
-            grid.v[stencil.base + offset] += weight * carried + impulse * mpm.gradient(&stencil, offset);
+            grid.v[stencil.base + offset] += carried * weight + impulse * mpm.gradient(&stencil, offset);
             grid.m[stencil.base + offset] += weight * mass;
         }
     }
@@ -35,13 +34,13 @@ pub fn particle_to_grid(points: &Field<AffinePoint, _>, grid: &mut Field<Node, _
 /// Makes momentum velocity, adds gravity, and heeds what stands in the way. Returns how many nodes move more than a cell a
 /// step, or are not finite.
 #[kernel]
-pub fn update_grid(grid: &mut Field<Node, _, Nodes>, mpm: &Transfers, obstacles: &Obstacles) -> u32 {
+pub fn update_grid<X: Spatial>(grid: &mut Field<Node<X>, _, X>, mpm: &Transfers<X>, obstacles: &Obstacles) -> u32 {
     let mut broken = 0;
     for at in grid {
         let m = grid.m[at];
         if m > 0.0 {
-            let v = grid.v[at] / m + mpm.constants.dt * mpm.gravity;
-            let v = lowered(obstacles.meet(node(at), raised(v)));
+            let v = grid.v[at] / m + mpm.gravity * mpm.constants.dt;
+            let v = lowered::<X>(obstacles.meet(node::<X>(at), raised::<X>(v)));
             grid.v[at] = v;
             broken += u32::from(!mpm.keeps_pace(v));
         }
@@ -51,30 +50,34 @@ pub fn update_grid(grid: &mut Field<Node, _, Nodes>, mpm: &Transfers, obstacles:
 
 /// Gathers velocity and its gradient from the nodes of every point, moves and deforms it.
 #[kernel]
-pub fn grid_to_particle(points: &mut Field<AffinePoint, _>, grid: &Field<Node, _, Nodes>, mpm: &Transfers) {
+pub fn grid_to_particle<X: Spatial>(
+    points: &mut Field<AffinePoint<X>, _>,
+    grid: &Field<Node<X>, _, X>,
+    mpm: &Transfers<X>,
+) {
     for p in points {
         let stencil = mpm.stencil(points.x[p]);
-        let mut v = Vector::ZERO;
-        let mut c = Matrix::ZERO;
-        let mut gradient = Matrix::ZERO;
+        let mut v = X::Vec::<f32>::zero();
+        let mut c = X::Mat::<f32>::zero();
+        let mut gradient = X::Mat::<f32>::zero();
         for offset in mpm.offsets() {
             let there = grid.v[stencil.base + offset];
-            let weighted = stencil.weight(offset) * there;
+            let weighted = there * stencil.weight(offset);
             v += weighted;
-            c += outer(weighted, mpm.lever(&stencil, offset));
-            gradient += outer(there, mpm.gradient(&stencil, offset));
+            c += X::Mat::<f32>::outer(weighted, mpm.lever(&stencil, offset));
+            gradient += X::Mat::<f32>::outer(there, mpm.gradient(&stencil, offset));
         }
         points.v[p] = v;
-        points.c[p] = mpm.constants.inv_moment * c;
-        points.x[p] += mpm.constants.dt * v;
+        points.c[p] = c * mpm.constants.inv_moment;
+        points.x[p] += v * mpm.constants.dt;
         points.deformation_gradient[p] =
-            (Matrix::IDENTITY + mpm.constants.dt * gradient) * points.deformation_gradient[p];
+            (X::Mat::<f32>::identity() + gradient * mpm.constants.dt) * points.deformation_gradient[p];
     }
 }
 
 /// Lets the materials yield, and makes the stress.
 #[kernel]
-pub fn deform(points: &mut Field<AffinePoint, _>, materials: &[Model]) {
+pub fn deform<X: Dimensions>(points: &mut Field<AffinePoint<X>, _>, materials: &[Model]) {
     for p in points {
         let model = materials[points.material[p] as usize];
         let updated = model.update(points.deformation_gradient[p], points.plastic[p].to_array());
@@ -86,7 +89,7 @@ pub fn deform(points: &mut Field<AffinePoint, _>, materials: &[Model]) {
 
 /// How many points moved more than a cell in the last step, or are not finite.
 #[kernel]
-pub fn count_broken(points: &Field<AffinePoint, _>, mpm: &Transfers) -> u32 {
+pub fn count_broken<X: Spatial>(points: &Field<AffinePoint<X>, _>, mpm: &Transfers<X>) -> u32 {
     let mut broken = 0;
     for p in points {
         broken += u32::from(!mpm.keeps_pace(points.v[p]));

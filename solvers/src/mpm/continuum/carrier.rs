@@ -1,55 +1,53 @@
 //! What a continuum asks of records and kernels: one line for each way to carry velocity.
 
 use allotrope::prelude::*;
+use allotrope::spatial::*;
 
 use super::medium::Body;
 use super::{
-    AffinePoint, ChangingNode, MODES, Matrix, Modes, Node, Nodes, PlainPoint, PolynomialPoint, Transfers, Vector,
-    affine, from_columns, plain, polynomial, quadratic,
+    AffinePoint, ChangingNode, Dimensions, Node, PlainPoint, PolynomialPoint, Transfers, affine, plain, polynomial,
+    quadratic,
 };
+use crate::mpm::convert::{matrices, saved_matrices, saved_vectors, vectors};
 use crate::mpm::materials::Model;
 use crate::mpm::obstacles::Obstacles;
 use crate::{Array, State};
 
 /// A way to carry velocity.
-pub(in crate::mpm) trait Carrier: Send + Sync + 'static {
+pub(in crate::mpm) trait Carrier<X: Dimensions>: Send + Sync + 'static {
     /// A particle.
     type Point: Record + Send + Sync;
     /// A grid node.
     type Node: Record + Send + Sync;
 
     /// A particle that begins.
-    fn point(body: &Body, mpm: &Transfers) -> Self::Point;
+    fn point(body: &Body<X>, mpm: &Transfers<X>) -> Self::Point;
     /// What every particle holds.
-    fn body(point: &Self::Point, mpm: &Transfers) -> Body;
+    fn body(point: &Self::Point, mpm: &Transfers<X>) -> Body<X>;
     /// Puts what every particle holds, but for velocity and its gradient.
-    fn set_body(point: &mut Self::Point, body: &Body);
+    fn set_body(point: &mut Self::Point, body: &Body<X>);
     /// What this one's particles carry.
     fn carried(points: &mut dyn Iterator<Item = Self::Point>) -> Vec<Array>;
     /// Puts it.
     fn set_carried<P: Layout<I>>(points: &mut Field<Self::Point, P>, state: &State) -> Result<(), String>;
     /// Velocity and mass.
-    fn node(node: &Self::Node) -> (Vector, f32);
+    fn node(node: &Self::Node) -> (X::Vec<f32>, f32);
 
     // The kernels.
-    fn clear<G: Layout<Nodes>>(grid: &mut Field<Self::Node, G, Nodes>);
-    fn scatter<P: Layout<I>, G: Layout<Nodes>>(
+    fn clear<G: Layout<X>>(grid: &mut Field<Self::Node, G, X>);
+    fn scatter<P: Layout<I>, G: Layout<X>>(
         points: &Field<Self::Point, P>,
-        grid: &mut Field<Self::Node, G, Nodes>,
-        mpm: &Transfers,
+        grid: &mut Field<Self::Node, G, X>,
+        mpm: &Transfers<X>,
     );
-    fn update_grid<G: Layout<Nodes>>(
-        grid: &mut Field<Self::Node, G, Nodes>,
-        mpm: &Transfers,
-        obstacles: &Obstacles,
-    ) -> u32;
-    fn gather<P: Layout<I>, G: Layout<Nodes>>(
+    fn update_grid<G: Layout<X>>(grid: &mut Field<Self::Node, G, X>, mpm: &Transfers<X>, obstacles: &Obstacles) -> u32;
+    fn gather<P: Layout<I>, G: Layout<X>>(
         points: &mut Field<Self::Point, P>,
-        grid: &Field<Self::Node, G, Nodes>,
-        mpm: &Transfers,
+        grid: &Field<Self::Node, G, X>,
+        mpm: &Transfers<X>,
     );
     fn deform<P: Layout<I>>(points: &mut Field<Self::Point, P>, materials: &[Model]);
-    fn count_broken<P: Layout<I>>(points: &Field<Self::Point, P>, mpm: &Transfers) -> u32;
+    fn count_broken<P: Layout<I>>(points: &Field<Self::Point, P>, mpm: &Transfers<X>) -> u32;
 }
 
 /// A velocity and its gradient.
@@ -64,7 +62,7 @@ pub(in crate::mpm) struct Polynomial;
 /// The functions of a carrier that are the same text for each.
 macro_rules! same {
     ($point:ident, $kernels:ident, $grid:ident) => {
-        fn set_body(point: &mut $point, body: &Body) {
+        fn set_body(point: &mut $point<X>, body: &Body<X>) {
             point.x = body.x;
             point.stress = body.stress;
             point.mass = body.mass;
@@ -73,68 +71,66 @@ macro_rules! same {
             point.material = body.material;
         }
 
-        fn node(node: &Self::Node) -> (Vector, f32) {
+        fn node(node: &Self::Node) -> (X::Vec<f32>, f32) {
             (node.v, node.m)
         }
 
-        fn clear<G: Layout<Nodes>>(grid: &mut Field<Self::Node, G, Nodes>) {
+        fn clear<G: Layout<X>>(grid: &mut Field<Self::Node, G, X>) {
             $grid::clear(grid);
         }
 
-        fn update_grid<G: Layout<Nodes>>(
-            grid: &mut Field<Self::Node, G, Nodes>,
-            mpm: &Transfers,
+        fn update_grid<G: Layout<X>>(
+            grid: &mut Field<Self::Node, G, X>,
+            mpm: &Transfers<X>,
             obstacles: &Obstacles,
         ) -> u32 {
             $grid::update_grid(grid, mpm, obstacles)
         }
 
-        fn deform<P: Layout<I>>(points: &mut Field<$point, P>, materials: &[Model]) {
+        fn deform<P: Layout<I>>(points: &mut Field<$point<X>, P>, materials: &[Model]) {
             $kernels::deform(points, materials);
         }
 
-        fn count_broken<P: Layout<I>>(points: &Field<$point, P>, mpm: &Transfers) -> u32 {
+        fn count_broken<P: Layout<I>>(points: &Field<$point<X>, P>, mpm: &Transfers<X>) -> u32 {
             $kernels::count_broken(points, mpm)
         }
     };
 }
 
-impl Carrier for Affine {
-    type Point = AffinePoint;
-    type Node = Node;
+impl<X: Dimensions> Carrier<X> for Affine {
+    type Point = AffinePoint<X>;
+    type Node = Node<X>;
 
     same!(AffinePoint, affine, affine);
 
-    fn point(body: &Body, _mpm: &Transfers) -> AffinePoint {
+    fn point(body: &Body<X>, _mpm: &Transfers<X>) -> AffinePoint<X> {
         let Body { x, v, c, stress, mass, deformation_gradient, plastic, material } = *body;
         AffinePoint { x, v, c, stress, mass, deformation_gradient, plastic, material }
     }
 
-    fn body(point: &AffinePoint, _mpm: &Transfers) -> Body {
+    fn body(point: &AffinePoint<X>, _mpm: &Transfers<X>) -> Body<X> {
         let AffinePoint { x, v, c, stress, mass, deformation_gradient, plastic, material } = *point;
         Body { x, v, c, stress, mass, deformation_gradient, plastic, material }
     }
 
-    fn carried(points: &mut dyn Iterator<Item = AffinePoint>) -> Vec<Array> {
-        let (v, c): (Vec<_>, Vec<_>) = points.map(|point| (point.v.to_array(), point.c.to_cols_array())).unzip();
-        vec![Array::floats("velocity", v), Array::floats("velocity_gradient", c)]
+    fn carried(points: &mut dyn Iterator<Item = AffinePoint<X>>) -> Vec<Array> {
+        let (v, c): (Vec<_>, Vec<_>) = points.map(|point| (point.v, point.c)).unzip();
+        vec![vectors::<X>("velocity", v.into_iter()), matrices::<X>("velocity_gradient", c.into_iter())]
     }
 
-    fn set_carried<P: Layout<I>>(points: &mut Field<AffinePoint, P>, state: &State) -> Result<(), String> {
-        const SQUARE: usize = super::DIMENSIONS * super::DIMENSIONS;
-        let v = state.floats("velocity", points.len())?;
-        let c = state.floats::<SQUARE>("velocity_gradient", points.len())?;
-        for (p, (v, c)) in v.iter().zip(c).enumerate() {
-            let (v, c) = (Vector::from_array(*v), Matrix::from_cols_array(c));
-            points.set(p, AffinePoint { v, c, ..points.get(p) });
+    fn set_carried<P: Layout<I>>(points: &mut Field<AffinePoint<X>, P>, state: &State) -> Result<(), String> {
+        let v = saved_vectors::<X>(state, "velocity", points.len())?;
+        let c = saved_matrices::<X>(state, "velocity_gradient", points.len())?;
+        for p in 0..points.len() {
+            points.set(p, AffinePoint { v: v(p), c: c(p), ..points.get(p) });
         }
         Ok(())
     }
 
-    fn scatter<P: Layout<I>, G: Layout<Nodes>>(
-        points: &Field<AffinePoint, P>,
-        grid: &mut Field<Node, G, Nodes>,
-        mpm: &Transfers,
+    fn scatter<P: Layout<I>, G: Layout<X>>(
+        points: &Field<AffinePoint<X>, P>,
+        grid: &mut Field<Node<X>, G, X>,
+        mpm: &Transfers<X>,
     ) {
         if mpm.constants.is_usual() {
             quadratic::particle_to_grid(points, grid, mpm);
@@ -143,10 +139,10 @@ impl Carrier for Affine {
         }
     }
 
-    fn gather<P: Layout<I>, G: Layout<Nodes>>(
-        points: &mut Field<AffinePoint, P>,
-        grid: &Field<Node, G, Nodes>,
-        mpm: &Transfers,
+    fn gather<P: Layout<I>, G: Layout<X>>(
+        points: &mut Field<AffinePoint<X>, P>,
+        grid: &Field<Node<X>, G, X>,
+        mpm: &Transfers<X>,
     ) {
         if mpm.constants.is_usual() {
             quadratic::grid_to_particle(points, grid, mpm);
@@ -156,109 +152,109 @@ impl Carrier for Affine {
     }
 }
 
-impl Carrier for Plain {
-    type Point = PlainPoint;
-    type Node = ChangingNode;
+impl<X: Dimensions> Carrier<X> for Plain {
+    type Point = PlainPoint<X>;
+    type Node = ChangingNode<X>;
 
     same!(PlainPoint, plain, plain);
 
-    fn point(body: &Body, _mpm: &Transfers) -> PlainPoint {
+    fn point(body: &Body<X>, _mpm: &Transfers<X>) -> PlainPoint<X> {
         let Body { x, v, stress, mass, deformation_gradient, plastic, material, .. } = *body;
         PlainPoint { x, v, stress, mass, deformation_gradient, plastic, material }
     }
 
-    fn body(point: &PlainPoint, _mpm: &Transfers) -> Body {
+    fn body(point: &PlainPoint<X>, _mpm: &Transfers<X>) -> Body<X> {
         let PlainPoint { x, v, stress, mass, deformation_gradient, plastic, material } = *point;
-        Body { x, v, c: Matrix::ZERO, stress, mass, deformation_gradient, plastic, material }
+        Body { x, v, c: X::Mat::<f32>::zero(), stress, mass, deformation_gradient, plastic, material }
     }
 
-    fn carried(points: &mut dyn Iterator<Item = PlainPoint>) -> Vec<Array> {
-        vec![Array::floats("velocity", points.map(|point| point.v.to_array()))]
+    fn carried(points: &mut dyn Iterator<Item = PlainPoint<X>>) -> Vec<Array> {
+        vec![vectors::<X>("velocity", points.map(|point| point.v))]
     }
 
-    fn set_carried<P: Layout<I>>(points: &mut Field<PlainPoint, P>, state: &State) -> Result<(), String> {
-        for (p, v) in state.floats("velocity", points.len())?.iter().enumerate() {
-            points.set(p, PlainPoint { v: Vector::from_array(*v), ..points.get(p) });
+    fn set_carried<P: Layout<I>>(points: &mut Field<PlainPoint<X>, P>, state: &State) -> Result<(), String> {
+        let v = saved_vectors::<X>(state, "velocity", points.len())?;
+        for p in 0..points.len() {
+            points.set(p, PlainPoint { v: v(p), ..points.get(p) });
         }
         Ok(())
     }
 
-    fn scatter<P: Layout<I>, G: Layout<Nodes>>(
-        points: &Field<PlainPoint, P>,
-        grid: &mut Field<ChangingNode, G, Nodes>,
-        mpm: &Transfers,
+    fn scatter<P: Layout<I>, G: Layout<X>>(
+        points: &Field<PlainPoint<X>, P>,
+        grid: &mut Field<ChangingNode<X>, G, X>,
+        mpm: &Transfers<X>,
     ) {
         plain::particle_to_grid(points, grid, mpm);
     }
 
-    fn gather<P: Layout<I>, G: Layout<Nodes>>(
-        points: &mut Field<PlainPoint, P>,
-        grid: &Field<ChangingNode, G, Nodes>,
-        mpm: &Transfers,
+    fn gather<P: Layout<I>, G: Layout<X>>(
+        points: &mut Field<PlainPoint<X>, P>,
+        grid: &Field<ChangingNode<X>, G, X>,
+        mpm: &Transfers<X>,
     ) {
         plain::grid_to_particle(points, grid, mpm);
     }
 }
 
-impl Carrier for Polynomial {
-    type Point = PolynomialPoint;
-    type Node = Node;
+impl<X: Dimensions> Carrier<X> for Polynomial {
+    type Point = PolynomialPoint<X>;
+    type Node = Node<X>;
 
     same!(PolynomialPoint, polynomial, affine);
 
-    fn point(body: &Body, mpm: &Transfers) -> PolynomialPoint {
+    fn point(body: &Body<X>, mpm: &Transfers<X>) -> PolynomialPoint<X> {
         let Body { x, v, c, stress, mass, deformation_gradient, plastic, material } = *body;
-        let mut modes: Modes = [Vector::ZERO; MODES.len()];
-        modes[0] = v;
-        for axis in 0..super::DIMENSIONS {
+        let mut modes = X::Modes::default();
+        modes.as_mut()[0] = v;
+        for axis in 0..X::RANK {
             if axis + 1 < mpm.constants.modes {
-                modes[axis + 1] = c.col(axis) * mpm.constants.dx;
+                modes.as_mut()[axis + 1] = c.col(axis) * mpm.constants.dx;
             }
         }
         PolynomialPoint { x, modes, stress, mass, deformation_gradient, plastic, material }
     }
 
-    fn body(point: &PolynomialPoint, mpm: &Transfers) -> Body {
+    fn body(point: &PolynomialPoint<X>, mpm: &Transfers<X>) -> Body<X> {
         let PolynomialPoint { x, modes, stress, mass, deformation_gradient, plastic, material } = *point;
-        let columns = std::array::from_fn(|axis| modes[axis + 1] * mpm.constants.inv_dx);
-        let c = from_columns(columns);
-        Body { x, v: modes[0], c, stress, mass, deformation_gradient, plastic, material }
+        let coefficients = modes.as_ref();
+        let c = X::Mat::<f32>::from_fn(|row, column| coefficients[column + 1][row] * mpm.constants.inv_dx);
+        Body { x, v: coefficients[0], c, stress, mass, deformation_gradient, plastic, material }
     }
 
-    fn carried(points: &mut dyn Iterator<Item = PolynomialPoint>) -> Vec<Array> {
-        const COMPONENTS: usize = super::DIMENSIONS * MODES.len();
-        let flat = |modes: Modes| {
-            let mut values = [0.0; COMPONENTS];
-            for (value, component) in values.iter_mut().zip(modes.iter().flat_map(|mode| mode.to_array())) {
-                *value = component;
-            }
-            values
+    fn carried(points: &mut dyn Iterator<Item = PolynomialPoint<X>>) -> Vec<Array> {
+        let components = |point: PolynomialPoint<X>| {
+            let numbers = |n: usize| point.modes.as_ref()[n / X::RANK][n % X::RANK];
+            (0..X::RANK * X::MODES.len()).map(numbers).collect::<Vec<_>>()
         };
-        vec![Array::floats("modes", points.map(|point| flat(point.modes)))]
+        vec![Array::numbers("modes", X::RANK * X::MODES.len(), points.flat_map(components))]
     }
 
-    fn set_carried<P: Layout<I>>(points: &mut Field<PolynomialPoint, P>, state: &State) -> Result<(), String> {
-        const COMPONENTS: usize = super::DIMENSIONS * MODES.len();
-        for (p, values) in state.floats::<COMPONENTS>("modes", points.len())?.iter().enumerate() {
-            let (values, _) = values.as_chunks::<{ super::DIMENSIONS }>();
-            let modes = std::array::from_fn(|mode| Vector::from_array(values[mode]));
+    fn set_carried<P: Layout<I>>(points: &mut Field<PolynomialPoint<X>, P>, state: &State) -> Result<(), String> {
+        let components = X::RANK * X::MODES.len();
+        let values = state.numbers("modes", components, points.len())?;
+        for (p, values) in values.chunks_exact(components).enumerate() {
+            let mut modes = X::Modes::default();
+            for (mode, values) in modes.as_mut().iter_mut().zip(values.chunks_exact(X::RANK)) {
+                *mode = X::Vec::<f32>::from_fn(|axis| values[axis]);
+            }
             points.set(p, PolynomialPoint { modes, ..points.get(p) });
         }
         Ok(())
     }
 
-    fn scatter<P: Layout<I>, G: Layout<Nodes>>(
-        points: &Field<PolynomialPoint, P>,
-        grid: &mut Field<Node, G, Nodes>,
-        mpm: &Transfers,
+    fn scatter<P: Layout<I>, G: Layout<X>>(
+        points: &Field<PolynomialPoint<X>, P>,
+        grid: &mut Field<Node<X>, G, X>,
+        mpm: &Transfers<X>,
     ) {
         polynomial::particle_to_grid(points, grid, mpm);
     }
 
-    fn gather<P: Layout<I>, G: Layout<Nodes>>(
-        points: &mut Field<PolynomialPoint, P>,
-        grid: &Field<Node, G, Nodes>,
-        mpm: &Transfers,
+    fn gather<P: Layout<I>, G: Layout<X>>(
+        points: &mut Field<PolynomialPoint<X>, P>,
+        grid: &Field<Node<X>, G, X>,
+        mpm: &Transfers<X>,
     ) {
         polynomial::grid_to_particle(points, grid, mpm);
     }

@@ -1,5 +1,7 @@
 //! What the kernels need to know of a scene, whatever its dimensions.
 
+use allotrope::spatial::*;
+
 use crate::Scene;
 use crate::scene::{Forces, Scheme};
 
@@ -60,29 +62,31 @@ impl Constants {
         self.width == 3 && self.least_squares
     }
 
-    /// Weights of the nodes along an axis, and their derivatives by the particle's place in cells, where `fx` is the
+    /// Weights of the nodes along each axis, and their derivatives by the particle's place in cells, where `fx` is the
     /// distance from the first of them in cells (Jiang et al. 2016, eq. 122 to 124).
     #[inline(always)]
-    pub fn spline(&self, fx: f32) -> ([f32; 4], [f32; 4]) {
+    pub fn spline<X: Spatial>(&self, fx: X::Vec<f32>) -> ([X::Vec<f32>; 4], [X::Vec<f32>; 4]) {
+        let [zero, one] = [0.0, 1.0].map(X::Vec::<f32>::splat);
         match self.width {
-            2 => ([1.0 - fx, fx, 0.0, 0.0], [-1.0, 1.0, 0.0, 0.0]),
+            2 => ([one - fx, fx, zero, zero], [-one, one, zero, zero]),
             3 => {
-                let (first, middle, last) = (1.5 - fx, fx - 1.0, fx - 0.5);
+                let (first, middle, last) = (-fx + 1.5, fx - 1.0, fx - 0.5);
                 (
-                    [0.5 * first * first, 0.75 - middle * middle, 0.5 * last * last, 0.0],
-                    [-first, -2.0 * middle, last, 0.0],
+                    [first * first * 0.5, -(middle * middle) + 0.75, last * last * 0.5, zero],
+                    [-first, middle * -2.0, last, zero],
                 )
             }
             _ => {
-                let (a, b, c, d) = (2.0 - fx, fx - 1.0, 2.0 - fx, fx - 1.0);
+                // From the second node, and from the third.
+                let (a, b) = (fx - 1.0, -fx + 2.0);
                 (
                     [
+                        b * b * b / 6.0,
+                        (a * 0.5 - 1.0) * a * a + 2.0 / 3.0,
+                        (b * 0.5 - 1.0) * b * b + 2.0 / 3.0,
                         a * a * a / 6.0,
-                        (0.5 * b - 1.0) * b * b + 2.0 / 3.0,
-                        (0.5 * c - 1.0) * c * c + 2.0 / 3.0,
-                        d * d * d / 6.0,
                     ],
-                    [-0.5 * a * a, (1.5 * b - 2.0) * b, (2.0 - 1.5 * c) * c, 0.5 * d * d],
+                    [b * b * -0.5, (a * 1.5 - 2.0) * a, (-b * 1.5 + 2.0) * b, a * a * 0.5],
                 )
             }
         }

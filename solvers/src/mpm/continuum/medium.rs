@@ -2,9 +2,13 @@
 
 use allotrope::Permutation;
 use allotrope::prelude::*;
+use allotrope::spatial::*;
 
 use super::carrier::Carrier;
-use super::{DIMENSIONS, Matrix, Nodes, Transfers, Vector, extents, matrix, node, rows, triple, vector};
+use super::{Dimensions, Transfers};
+use crate::mpm::convert::{
+    matrices, matrix, node, nodes, rows, saved_matrices, saved_vectors, triple, vector, vectors,
+};
 use crate::mpm::materials::Model;
 use crate::mpm::medium::{Medium, Particle, block_major};
 use crate::mpm::obstacles::Obstacles;
@@ -12,29 +16,29 @@ use crate::scene::{Particles, Scene};
 use crate::{Array, State};
 
 /// Particles in the layout `P`, grid nodes in the layout `G`.
-pub(in crate::mpm) struct Continuum<C: Carrier, P: Layout<I>, G: Layout<Nodes>> {
+pub(in crate::mpm) struct Continuum<X: Dimensions, C: Carrier<X>, P: Layout<I>, G: Layout<X>> {
     points: Field<C::Point, P>,
-    grid: Field<C::Node, G, Nodes>,
-    mpm: Transfers,
+    grid: Field<C::Node, G, X>,
+    mpm: Transfers<X>,
     obstacles: Obstacles,
     materials: Vec<Model>,
 }
 
 /// What every particle holds, whatever it carries.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::mpm) struct Body {
-    pub(super) x: Vector,
-    pub(super) v: Vector,
+pub(in crate::mpm) struct Body<X: Spatial> {
+    pub(super) x: X::Vec<f32>,
+    pub(super) v: X::Vec<f32>,
     /// Zero where none is carried.
-    pub(super) c: Matrix,
-    pub(super) stress: Matrix,
+    pub(super) c: X::Mat<f32>,
+    pub(super) stress: X::Mat<f32>,
     pub(super) mass: f32,
-    pub(super) deformation_gradient: Matrix,
+    pub(super) deformation_gradient: X::Mat<f32>,
     pub(super) plastic: Vec2,
     pub(super) material: u32,
 }
 
-impl<C: Carrier, P: Layout<I>, G: Layout<Nodes>> Medium for Continuum<C, P, G> {
+impl<X: Dimensions, C: Carrier<X>, P: Layout<I>, G: Layout<X>> Medium for Continuum<X, C, P, G> {
     const DEFORMS: bool = true;
 
     fn new(scene: &Scene, particles: &Particles) -> Result<Self, String> {
@@ -44,18 +48,18 @@ impl<C: Carrier, P: Layout<I>, G: Layout<Nodes>> Medium for Continuum<C, P, G> {
         for p in 0..particles.x.len() {
             let material = &scene.materials[particles.material[p] as usize];
             let body = Body {
-                x: vector(particles.x[p]),
-                v: vector(particles.v[p]),
-                c: matrix(particles.c[p]),
-                stress: Matrix::ZERO,
+                x: vector::<X, f32>(particles.x[p]),
+                v: vector::<X, f32>(particles.v[p]),
+                c: matrix::<X, f32>(particles.c[p]),
+                stress: X::Mat::<f32>::zero(),
                 mass: (scene.particle_volume() * material.density) as f32,
-                deformation_gradient: Matrix::IDENTITY,
+                deformation_gradient: X::Mat::<f32>::identity(),
                 plastic: Vec2::from_array(material.model.initial_plastic()),
                 material: particles.material[p],
             };
             points.set(p, C::point(&body, &mpm));
         }
-        let grid = Field::<C::Node, G>::try_new(extents(scene.grid)).map_err(fault)?;
+        let grid = Field::<C::Node, G>::try_new(X::shape(|axis| scene.grid[axis])).map_err(fault)?;
         let materials = scene.materials.iter().map(|material| material.model).collect();
         Ok(Self { points, grid, mpm, obstacles: Obstacles::new(scene), materials })
     }
@@ -86,11 +90,9 @@ impl<C: Carrier, P: Layout<I>, G: Layout<Nodes>> Medium for Continuum<C, P, G> {
     }
 
     fn reorder(&mut self) -> Permutation {
-        let shape = self.grid.shape();
-        let nodes: [usize; 3] = std::array::from_fn(|axis| shape.get(axis).copied().unwrap_or(1));
-        let mpm = self.mpm;
+        let (nodes, mpm) = (nodes::<X>(self.grid.shape()), self.mpm);
         self.points
-            .reorder_by_key(|point| block_major(node(mpm.stencil(C::body(point, &mpm).x).base).as_uvec3(), nodes))
+            .reorder_by_key(|point| block_major(node::<X>(mpm.stencil(C::body(point, &mpm).x).base).as_uvec3(), nodes))
     }
 
     fn len(&self) -> usize {
@@ -99,14 +101,14 @@ impl<C: Carrier, P: Layout<I>, G: Layout<Nodes>> Medium for Continuum<C, P, G> {
 
     fn particle(&self, place: usize) -> Particle {
         let body = C::body(&self.points.get(place), &self.mpm);
-        let trace: f64 = (0..DIMENSIONS).map(|axis| f64::from(body.stress.col(axis)[axis])).sum();
+        let trace: f64 = (0..X::RANK).map(|axis| f64::from(body.stress.col(axis)[axis])).sum();
         let model = &self.materials[body.material as usize];
         Particle {
-            x: triple(body.x),
-            v: triple(body.v),
-            c: rows(body.c),
+            x: triple::<X>(body.x),
+            v: triple::<X>(body.v),
+            c: rows::<X>(body.c),
             material: body.material,
-            pressure: -trace / DIMENSIONS as f64,
+            pressure: -trace / X::RANK as f64,
             elastic: f64::from(model.energy(body.deformation_gradient, body.plastic.to_array())),
         }
     }
@@ -114,9 +116,9 @@ impl<C: Carrier, P: Layout<I>, G: Layout<Nodes>> Medium for Continuum<C, P, G> {
     fn members(&self) -> Vec<Array> {
         let bodies = || self.points.iter().map(|point| C::body(&point, &self.mpm));
         let mut arrays = vec![
-            Array::floats("position", bodies().map(|body| body.x.to_array())),
-            Array::floats("stress", bodies().map(|body| body.stress.to_cols_array())),
-            Array::floats("deformation_gradient", bodies().map(|body| body.deformation_gradient.to_cols_array())),
+            vectors::<X>("position", bodies().map(|body| body.x)),
+            matrices::<X>("stress", bodies().map(|body| body.stress)),
+            matrices::<X>("deformation_gradient", bodies().map(|body| body.deformation_gradient)),
             Array::floats("plastic", bodies().map(|body| body.plastic.to_array())),
             Array::whole("material", bodies().map(|body| body.material).collect()),
         ];
@@ -125,11 +127,10 @@ impl<C: Carrier, P: Layout<I>, G: Layout<Nodes>> Medium for Continuum<C, P, G> {
     }
 
     fn set_members(&mut self, state: &State) -> Result<(), String> {
-        const SQUARE: usize = DIMENSIONS * DIMENSIONS;
         let count = self.len();
-        let x = state.floats::<DIMENSIONS>("position", count)?;
-        let stress = state.floats::<SQUARE>("stress", count)?;
-        let deformation_gradient = state.floats::<SQUARE>("deformation_gradient", count)?;
+        let x = saved_vectors::<X>(state, "position", count)?;
+        let stress = saved_matrices::<X>(state, "stress", count)?;
+        let deformation_gradient = saved_matrices::<X>(state, "deformation_gradient", count)?;
         let plastic = state.floats::<2>("plastic", count)?;
         let material = state.whole("material", count)?;
         if let Some(unknown) = material.iter().find(|&&material| material as usize >= self.materials.len()) {
@@ -145,10 +146,10 @@ impl<C: Carrier, P: Layout<I>, G: Layout<Nodes>> Medium for Continuum<C, P, G> {
         for p in 0..count {
             let mut point = points.get(p);
             let body = Body {
-                x: Vector::from_array(x[p]),
-                stress: Matrix::from_cols_array(&stress[p]),
+                x: x(p),
+                stress: stress(p),
                 mass: mass[material[p] as usize],
-                deformation_gradient: Matrix::from_cols_array(&deformation_gradient[p]),
+                deformation_gradient: deformation_gradient(p),
                 plastic: Vec2::from_array(plastic[p]),
                 material: material[p],
                 ..C::body(&point, &self.mpm)
@@ -163,7 +164,7 @@ impl<C: Carrier, P: Layout<I>, G: Layout<Nodes>> Medium for Continuum<C, P, G> {
     fn nodes(&self) -> Vec<Array> {
         vec![
             Array::floats("mass", self.grid.iter().map(|node| [C::node(&node).1])),
-            Array::floats("velocity", self.grid.iter().map(|node| C::node(&node).0.to_array())),
+            vectors::<X>("velocity", self.grid.iter().map(|node| C::node(&node).0)),
         ]
     }
 

@@ -3,15 +3,29 @@
 //!
 //! | module | what a particle carries | schemes |
 //! | --- | --- | --- |
-//! | `affine` | a velocity and its gradient | APIC |
-//! | `plain` | a velocity | PIC, FLIP |
-//! | `polynomial` | a polynomial velocity field | PolyPIC |
+//! | [`affine`] | a velocity and its gradient | APIC |
+//! | [`quadratic`] | the same, over quadratic splines and with least squares: loops over nodes are unrolled | APIC |
+//! | [`plain`] | a velocity | PIC, FLIP |
+//! | [`polynomial`] | a polynomial velocity field | PolyPIC |
 //!
-//! The text of records and kernels is the same in [`plane`] and [`space`], which name the types that it is about. Only
-//! the loops over the 9 or 27 nodes of a quadratic spline, which are unrolled, are written apart.
+//! Records and kernels serve the plane and space, as [`Dimensions`] tells. They are in single precision, as the
+//! [materials](super::materials) are.
 
+pub mod affine;
+mod carrier;
 mod constants;
-pub mod plane;
-pub mod space;
+mod dimensions;
+mod medium;
+pub mod plain;
+pub mod polynomial;
+pub mod quadratic;
+mod records;
+mod stencil;
 
+pub(in crate::mpm) use carrier::{Affine, Plain, Polynomial};
 pub use constants::Constants;
+pub use dimensions::Dimensions;
+pub(in crate::mpm) use medium::Continuum;
+pub use records::{AffinePoint, ChangingNode, Node, PlainPoint, PolynomialPoint};
+pub(in crate::mpm) use records::{HotAffine, HotPlain, HotPolynomial};
+pub use stencil::{Stencil, Transfers};

@@ -2,22 +2,27 @@
 //! interpolates all of its nodes.
 
 use allotrope::prelude::*;
+use allotrope::spatial::*;
 
-use super::{DIMENSIONS, MODES, Matrix, Modes, Node, Nodes, PolynomialPoint, Stencil, Transfers, Vector, outer};
+use super::{Dimensions, Node, PolynomialPoint, Stencil, Transfers};
 use crate::mpm::materials::Model;
 
 /// Scatters mass, momentum and the impulse of the stress of every point to its nodes.
 #[kernel]
-pub fn particle_to_grid(points: &Field<PolynomialPoint, _>, grid: &mut Field<Node, _, Nodes>, mpm: &Transfers) {
+pub fn particle_to_grid<X: Dimensions>(
+    points: &Field<PolynomialPoint<X>, _>,
+    grid: &mut Field<Node<X>, _, X>,
+    mpm: &Transfers<X>,
+) {
     for p in points {
         let stencil = mpm.stencil(points.x[p]);
         let mass = points.mass[p];
         let modes = points.modes[p];
-        let impulse = mpm.constants.impulse * points.stress[p];
+        let impulse = points.stress[p] * mpm.constants.impulse;
         for offset in mpm.offsets() {
             let weight = stencil.weight(offset);
-            let carried = velocity(&modes[..mpm.constants.modes], &stencil, offset);
-            grid.v[stencil.base + offset] += weight * mass * carried + impulse * mpm.gradient(&stencil, offset);
+            let carried = velocity(&modes.as_ref()[..mpm.constants.modes], &stencil, offset);
+            grid.v[stencil.base + offset] += carried * (weight * mass) + impulse * mpm.gradient(&stencil, offset);
             grid.m[stencil.base + offset] += weight * mass;
         }
     }
@@ -25,26 +30,30 @@ pub fn particle_to_grid(points: &Field<PolynomialPoint, _>, grid: &mut Field<Nod
 
 /// Gathers the velocity field from the nodes of every point, moves and deforms it.
 #[kernel]
-pub fn grid_to_particle(points: &mut Field<PolynomialPoint, _>, grid: &Field<Node, _, Nodes>, mpm: &Transfers) {
+pub fn grid_to_particle<X: Dimensions>(
+    points: &mut Field<PolynomialPoint<X>, _>,
+    grid: &Field<Node<X>, _, X>,
+    mpm: &Transfers<X>,
+) {
     for p in points {
         let stencil = mpm.stencil(points.x[p]);
-        let mut modes: Modes = [Vector::ZERO; MODES.len()];
-        let mut gradient = Matrix::ZERO;
+        let mut modes = X::Modes::default();
+        let mut gradient = X::Mat::<f32>::zero();
         for offset in mpm.offsets() {
             let there = grid.v[stencil.base + offset];
-            project(&mut modes[..mpm.constants.modes], &stencil, offset, there);
-            gradient += outer(there, mpm.gradient(&stencil, offset));
+            project(&mut modes.as_mut()[..mpm.constants.modes], &stencil, offset, there);
+            gradient += X::Mat::<f32>::outer(there, mpm.gradient(&stencil, offset));
         }
-        points.x[p] += mpm.constants.dt * modes[0];
+        points.x[p] += modes.as_ref()[0] * mpm.constants.dt;
         points.modes[p] = modes;
         points.deformation_gradient[p] =
-            (Matrix::IDENTITY + mpm.constants.dt * gradient) * points.deformation_gradient[p];
+            (X::Mat::<f32>::identity() + gradient * mpm.constants.dt) * points.deformation_gradient[p];
     }
 }
 
 /// Lets the materials yield, and makes the stress.
 #[kernel]
-pub fn deform(points: &mut Field<PolynomialPoint, _>, materials: &[Model]) {
+pub fn deform<X: Dimensions>(points: &mut Field<PolynomialPoint<X>, _>, materials: &[Model]) {
     for p in points {
         let model = materials[points.material[p] as usize];
         let updated = model.update(points.deformation_gradient[p], points.plastic[p].to_array());
@@ -56,29 +65,33 @@ pub fn deform(points: &mut Field<PolynomialPoint, _>, materials: &[Model]) {
 
 /// How many points moved more than a cell in the last step, or are not finite.
 #[kernel]
-pub fn count_broken(points: &Field<PolynomialPoint, _>, mpm: &Transfers) -> u32 {
+pub fn count_broken<X: Dimensions>(points: &Field<PolynomialPoint<X>, _>, mpm: &Transfers<X>) -> u32 {
     let mut broken = 0;
     for p in points {
-        broken += u32::from(!mpm.keeps_pace(points.modes[p][0]));
+        broken += u32::from(!mpm.keeps_pace(points.modes[p].as_ref()[0]));
     }
     broken
 }
 
 /// The velocity of a polynomial field at a node.
-fn velocity(modes: &[Vector], stencil: &Stencil, offset: super::Index) -> Vector {
+fn velocity<X: Dimensions>(modes: &[X::Vec<f32>], stencil: &Stencil<X>, offset: X::Index) -> X::Vec<f32> {
     let (values, _) = stencil.polynomials(offset);
-    modes.iter().zip(MODES).map(|(&mode, powers)| product(&values, powers) * mode).sum()
+    let mut v = X::Vec::<f32>::zero();
+    for (&mode, powers) in modes.iter().zip(X::MODES) {
+        v += mode * product::<X>(&values, powers);
+    }
+    v
 }
 
 /// Adds what a node's velocity says of each mode.
-fn project(modes: &mut [Vector], stencil: &Stencil, offset: super::Index, there: Vector) {
+fn project<X: Dimensions>(modes: &mut [X::Vec<f32>], stencil: &Stencil<X>, offset: X::Index, there: X::Vec<f32>) {
     let (values, norms) = stencil.polynomials(offset);
-    let weighted = stencil.weight(offset) * there;
-    for (mode, powers) in modes.iter_mut().zip(MODES) {
-        *mode += product(&values, powers) / product(&norms, powers) * weighted;
+    let weighted = there * stencil.weight(offset);
+    for (mode, powers) in modes.iter_mut().zip(X::MODES) {
+        *mode += weighted * (product::<X>(&values, powers) / product::<X>(&norms, powers));
     }
 }
 
-fn product(along: &[[f32; 3]; DIMENSIONS], powers: [usize; DIMENSIONS]) -> f32 {
-    along.iter().zip(powers).map(|(values, power)| values[power]).product()
+fn product<X: Spatial>(along: &[X::Vec<f32>; 3], powers: &[usize; 3]) -> f32 {
+    X::Vec::<f32>::from_fn(|axis| along[powers[axis]][axis]).element_product()
 }

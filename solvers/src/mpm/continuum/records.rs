@@ -1,24 +1,26 @@
 //! What particles and nodes hold.
 
 use allotrope::prelude::*;
+use allotrope::spatial::*;
 
-use super::{Matrix, Modes, Vector};
+use super::Dimensions;
+pub use crate::mpm::fluid::Node;
 
 /// A particle that carries an affine velocity field.
 #[derive(Record, Clone, Copy, Debug, Default, PartialEq)]
-pub struct AffinePoint {
+pub struct AffinePoint<X: Spatial> {
     /// Position in m.
-    pub x: Vector,
+    pub x: X::Vec<f32>,
     /// Velocity in m/s.
-    pub v: Vector,
+    pub v: X::Vec<f32>,
     /// Gradient of the velocity in 1/s.
-    pub c: Matrix,
+    pub c: X::Mat<f32>,
     /// Kirchhoff stress in Pa.
-    pub stress: Matrix,
+    pub stress: X::Mat<f32>,
     /// Mass in kg.
     pub mass: f32,
     /// The elastic part of the deformation gradient.
-    pub deformation_gradient: Matrix,
+    pub deformation_gradient: X::Mat<f32>,
     /// What the material remembers of its plastic flow.
     pub plastic: Vec2,
     /// Which of the scene's materials it is of.
@@ -27,17 +29,17 @@ pub struct AffinePoint {
 
 /// A particle that carries a velocity.
 #[derive(Record, Clone, Copy, Debug, Default, PartialEq)]
-pub struct PlainPoint {
+pub struct PlainPoint<X: Spatial> {
     /// Position in m.
-    pub x: Vector,
+    pub x: X::Vec<f32>,
     /// Velocity in m/s.
-    pub v: Vector,
+    pub v: X::Vec<f32>,
     /// Kirchhoff stress in Pa.
-    pub stress: Matrix,
+    pub stress: X::Mat<f32>,
     /// Mass in kg.
     pub mass: f32,
     /// The elastic part of the deformation gradient.
-    pub deformation_gradient: Matrix,
+    pub deformation_gradient: X::Mat<f32>,
     /// What the material remembers of its plastic flow.
     pub plastic: Vec2,
     /// Which of the scene's materials it is of.
@@ -46,51 +48,42 @@ pub struct PlainPoint {
 
 /// A particle that carries a polynomial velocity field.
 #[derive(Record, Clone, Copy, Debug, Default, PartialEq)]
-pub struct PolynomialPoint {
+pub struct PolynomialPoint<X: Dimensions> {
     /// Position in m.
-    pub x: Vector,
+    pub x: X::Vec<f32>,
     /// Coefficients of the velocity in m/s, the first of which is the velocity; lengths are in cells.
-    pub modes: Modes,
+    pub modes: X::Modes,
     /// Kirchhoff stress in Pa.
-    pub stress: Matrix,
+    pub stress: X::Mat<f32>,
     /// Mass in kg.
     pub mass: f32,
     /// The elastic part of the deformation gradient.
-    pub deformation_gradient: Matrix,
+    pub deformation_gradient: X::Mat<f32>,
     /// What the material remembers of its plastic flow.
     pub plastic: Vec2,
     /// Which of the scene's materials it is of.
     pub material: u32,
 }
 
-/// A grid node.
-#[derive(Record, Clone, Copy, Debug, Default, PartialEq)]
-pub struct Node {
-    /// Momentum in kg m/s; from the grid update on, velocity in m/s.
-    pub v: Vector,
-    /// Mass in kg.
-    pub m: f32,
-}
-
 /// A grid node that remembers how fast it was.
 #[derive(Record, Clone, Copy, Debug, Default, PartialEq)]
-pub struct ChangingNode {
+pub struct ChangingNode<X: Spatial> {
     /// Momentum in kg m/s; from the grid update on, velocity in m/s.
-    pub v: Vector,
+    pub v: X::Vec<f32>,
     /// From the scatter on, momentum without forces; from the grid update on, that velocity.
-    pub before: Vector,
+    pub before: X::Vec<f32>,
     /// Mass in kg.
     pub m: f32,
 }
 
 /// What both transfers touch lies together; what the material alone needs lies apart.
-pub(in crate::mpm) type HotAffine =
-    layout!(AffinePoint: dense(i).place([x, v, c, stress, mass, deformation_gradient], [plastic, material]));
+pub(in crate::mpm) type HotAffine<X> =
+    layout!(AffinePoint<X>: dense(i).place([x, v, c, stress, mass, deformation_gradient], [plastic, material]));
 
 /// As [`HotAffine`].
-pub(in crate::mpm) type HotPlain =
-    layout!(PlainPoint: dense(i).place([x, v, stress, mass, deformation_gradient], [plastic, material]));
+pub(in crate::mpm) type HotPlain<X> =
+    layout!(PlainPoint<X>: dense(i).place([x, v, stress, mass, deformation_gradient], [plastic, material]));
 
 /// As [`HotAffine`].
-pub(in crate::mpm) type HotPolynomial =
-    layout!(PolynomialPoint: dense(i).place([x, modes, stress, mass, deformation_gradient], [plastic, material]));
+pub(in crate::mpm) type HotPolynomial<X> =
+    layout!(PolynomialPoint<X>: dense(i).place([x, modes, stress, mass, deformation_gradient], [plastic, material]));

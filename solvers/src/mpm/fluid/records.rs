@@ -1,47 +1,26 @@
-//! What the fluid's particles and grid nodes hold.
+//! What the fluid's particles and the grid's nodes hold.
 
 use allotrope::prelude::*;
+use allotrope::spatial::*;
 
-/// A material point of a plane.
+/// A material point.
 #[derive(Record, Clone, Copy, Debug, Default, PartialEq)]
-pub struct Point2 {
+pub struct Point<X: Spatial, T: Real = f32> {
     /// Position in m.
-    pub x: Vec2,
+    pub x: X::Vec<T>,
     /// Velocity in m/s.
-    pub v: Vec2,
+    pub v: X::Vec<T>,
     /// Gradient of the velocity in 1/s: column `n` is its derivative along axis `n`.
-    pub c: Mat2,
+    pub c: X::Mat<T>,
     /// Volume over volume at rest.
-    pub j: f32,
+    pub j: T,
 }
 
-/// A grid node of a plane.
+/// A grid node.
 #[derive(Record, Clone, Copy, Debug, Default, PartialEq)]
-pub struct Node2 {
+pub struct Node<X: Spatial, T: Real = f32> {
     /// Momentum in kg m/s; from the grid update on, velocity in m/s.
-    pub v: Vec2,
+    pub v: X::Vec<T>,
     /// Mass in kg.
-    pub m: f32,
-}
-
-/// A material point of space.
-#[derive(Record, Clone, Copy, Debug, Default, PartialEq)]
-pub struct Point3 {
-    /// Position in m.
-    pub x: Vec3,
-    /// Velocity in m/s.
-    pub v: Vec3,
-    /// Gradient of the velocity in 1/s: column `n` is its derivative along axis `n`.
-    pub c: Mat3,
-    /// Volume over volume at rest.
-    pub j: f32,
-}
-
-/// A grid node of space.
-#[derive(Record, Clone, Copy, Debug, Default, PartialEq)]
-pub struct Node3 {
-    /// Momentum in kg m/s; from the grid update on, velocity in m/s.
-    pub v: Vec3,
-    /// Mass in kg.
-    pub m: f32,
+    pub m: T,
 }

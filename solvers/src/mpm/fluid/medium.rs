@@ -1,0 +1,112 @@
+//! The fluid in any layouts.
+
+use allotrope::Permutation;
+use allotrope::prelude::*;
+use allotrope::spatial::*;
+
+use super::kernels::{clear, count_broken, grid_to_particle, particle_to_grid, update_grid};
+use super::parameters::Mpm;
+use super::records::{Node, Point};
+use crate::mpm::convert::{
+    matrices, matrix, node, nodes, rows, saved_matrices, saved_vectors, triple, vector, vectors,
+};
+use crate::mpm::medium::{Medium, Particle, block_major};
+use crate::scene::{Particles, Scene};
+use crate::{Array, State};
+
+/// Particles in the layout `P`, grid nodes in the layout `G`.
+pub(in crate::mpm) struct Fluid<X: Spatial, P: Layout<I>, G: Layout<X>> {
+    points: Field<Point<X>, P>,
+    grid: Field<Node<X>, G, X>,
+    mpm: Mpm<X>,
+}
+
+impl<X: Spatial, P: Layout<I>, G: Layout<X>> Medium for Fluid<X, P, G> {
+    const DEFORMS: bool = false;
+
+    fn new(scene: &Scene, particles: &Particles) -> Result<Self, String> {
+        let fault = |error: allotrope::ShapeError| error.to_string();
+        let mut points = Field::<Point<X>, P>::try_new([particles.x.len()]).map_err(fault)?;
+        let grid = Field::<Node<X>, G>::try_new(X::shape(|axis| scene.grid[axis])).map_err(fault)?;
+        for (p, ((x, v), c)) in particles.x.iter().zip(&particles.v).zip(&particles.c).enumerate() {
+            let (x, v) = (vector::<X, f32>(*x), vector::<X, f32>(*v));
+            points.set(p, Point { x, v, c: matrix::<X, f32>(*c), j: 1.0 });
+        }
+        Ok(Self { points, grid, mpm: Mpm::new(scene) })
+    }
+
+    fn clear(&mut self) {
+        clear(&mut self.grid);
+    }
+
+    fn scatter(&mut self) {
+        particle_to_grid(&self.points, &mut self.grid, &self.mpm);
+    }
+
+    fn update_grid(&mut self, _time: f64) -> u32 {
+        update_grid(&mut self.grid, &self.mpm)
+    }
+
+    fn gather(&mut self) {
+        grid_to_particle(&mut self.points, &self.grid, &self.mpm);
+    }
+
+    fn broken(&self) -> u32 {
+        count_broken(&self.points, &self.mpm)
+    }
+
+    fn reorder(&mut self) -> Permutation {
+        let inv_dx = self.mpm.inv_dx;
+        let nodes = nodes::<X>(self.grid.shape());
+        self.points.reorder_by_key(|point| {
+            let base = node::<X>((point.x * inv_dx - 0.5).to_index());
+            block_major(base.max(IVec3::ZERO).as_uvec3(), nodes)
+        })
+    }
+
+    fn len(&self) -> usize {
+        self.points.len()
+    }
+
+    fn particle(&self, place: usize) -> Particle {
+        let Point { x, v, c, j } = self.points.get(place);
+        let (pressure, elastic) = self.mpm.of_volume(j);
+        Particle { x: triple::<X>(x), v: triple::<X>(v), c: rows::<X>(c), material: 0, pressure, elastic }
+    }
+
+    fn members(&self) -> Vec<Array> {
+        vec![
+            vectors::<X>("position", self.points.iter().map(|point| point.x)),
+            vectors::<X>("velocity", self.points.iter().map(|point| point.v)),
+            matrices::<X>("velocity_gradient", self.points.iter().map(|point| point.c)),
+            Array::floats("volume_ratio", self.points.iter().map(|point| [point.j])),
+        ]
+    }
+
+    fn set_members(&mut self, state: &State) -> Result<(), String> {
+        let count = self.len();
+        let x = saved_vectors::<X>(state, "position", count)?;
+        let v = saved_vectors::<X>(state, "velocity", count)?;
+        let c = saved_matrices::<X>(state, "velocity_gradient", count)?;
+        let j = state.floats::<1>("volume_ratio", count)?;
+        for p in 0..count {
+            self.points.set(p, Point { x: x(p), v: v(p), c: c(p), j: j[p][0] });
+        }
+        Ok(())
+    }
+
+    fn nodes(&self) -> Vec<Array> {
+        vec![
+            Array::floats("mass", self.grid.iter().map(|node| [node.m])),
+            vectors::<X>("velocity", self.grid.iter().map(|node| node.v)),
+        ]
+    }
+
+    fn grid_mass(&self) -> f64 {
+        self.grid.members().m.to_vec().into_iter().map(f64::from).sum()
+    }
+
+    fn bytes(&self) -> usize {
+        self.points.bytes() + self.grid.bytes()
+    }
+}
