@@ -45,6 +45,26 @@ use crate::index::Integer;
 /// assert_eq!(parcels.members().phase.to_vec(), [Phase::Water, Phase::Ice]);
 /// assert_eq!(Phase::from_code(77), Phase::Water);
 /// ```
+///
+/// An element is copied in and out of fields:
+///
+/// ```compile_fail,E0277
+/// use allotrope::prelude::*;
+///
+/// #[derive(Element)]
+/// enum Phase {
+///     Water,
+///     Ice,
+/// }
+/// ```
+///
+/// What the derive calls makes no element of anything else:
+///
+/// ```compile_fail,E0277
+/// #[derive(Clone, Copy)]
+/// struct Whatever;
+/// allotrope::__enumeration! { Whatever }
+/// ```
 pub trait Enumeration: Copy + Send + Sync + 'static {
     /// The integer that it is stored as.
     type Code: Representation;
@@ -74,15 +94,15 @@ unsafe impl<I: Representation> Scalar for Code<I> {
     const KIND: Kind = I::KIND;
 }
 
-/// Makes an [`Enumeration`] an [`Element`]: `[generics] [type] [bounds]`. What `#[derive(Element)]` calls, so that `unsafe` stands here. No blanket
+/// Makes an [`Enumeration`] an [`Element`]: the name of a type, and nothing else that could slip into what is unsafe. What `#[derive(Element)]` calls, so that `unsafe` stands here. No blanket
 /// implementation does it, since rustc would then explain every type that is no element by its not being an enumeration.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __enumeration {
-    ([$($generics:tt)*] [$name:ty] [$($bounds:tt)*]) => {
+    ($name:ident) => {
         // SAFETY: one component, an integer; it is not packed, since its own bytes need not be those of its code.
         #[automatically_derived]
-        unsafe impl $($generics)* $crate::Element for $name $($bounds)* {
+        unsafe impl $crate::Element for $name {
             type Scalar = $crate::__private::Code<<Self as $crate::Enumeration>::Code>;
             const COMPONENTS: usize = 1;
             const PACKED: bool = false;

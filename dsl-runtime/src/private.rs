@@ -11,7 +11,9 @@ pub use crate::launch::{
     range, reduction,
 };
 pub use crate::number::{BitAnd, BitOr, BitXor, ComponentMul, Max, Min, Product, Sum};
-pub use crate::record::{At, ElementList, MemberMuts, MemberRefs, MemberSpec, Path, Tag, Whole};
+pub use crate::record::{
+    At, ElementList, MemberMuts, MemberRefs, MemberSpec, PartMut, PartRef, Path, Tag, Under, Whole,
+};
 pub use crate::scatter::{Op, Scattered, Target};
 pub use crate::view::{
     Accumulate, Based, Beside, Boxed, Buffer, Free, Held, Linear, Own, OwnFree, Read, Row, Site, Together, Var, View,

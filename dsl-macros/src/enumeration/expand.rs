@@ -8,7 +8,6 @@ use super::model::Enumeration;
 /// `impl Enumeration`: two matches, without a cast and without `unsafe`.
 pub(super) fn expand(enumeration: &Enumeration<'_>) -> TokenStream {
     let name = &enumeration.item.ident;
-    let (generics, arguments, bounds) = enumeration.item.generics.split_for_impl();
     let integer = Ident::new(enumeration.integer, name.span());
     let all = enumeration.variants.iter().map(|(variant, value)| {
         let value = Literal::i128_unsuffixed(*value);
@@ -22,7 +21,7 @@ pub(super) fn expand(enumeration: &Enumeration<'_>) -> TokenStream {
     let zero = enumeration.variants.iter().filter(|(_, value)| *value == 0).map(|(variant, _)| variant).take(1);
     quote_spanned! {name.span()=>
         #[automatically_derived]
-        impl #generics ::allotrope::Enumeration for #name #arguments #bounds {
+        impl ::allotrope::Enumeration for #name {
             type Code = #integer;
             #[inline(always)]
             fn from_code(code: #integer) -> Self {
@@ -38,6 +37,6 @@ pub(super) fn expand(enumeration: &Enumeration<'_>) -> TokenStream {
                 }
             }
         }
-        ::allotrope::__enumeration! { [#generics] [#name #arguments] [#bounds] }
+        ::allotrope::__enumeration! { #name }
     }
 }

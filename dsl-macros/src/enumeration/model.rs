@@ -38,6 +38,15 @@ pub(super) fn model<'a>(item: &'a DeriveInput, errors: &mut Diagnostics) -> Opti
             .help("write `#[derive(Record)]` for a struct whose members are elements");
         return None;
     };
+    if !item.generics.params.is_empty() {
+        errors
+            .error(
+                Code::NotFieldless,
+                &item.generics.params,
+                format!("the enum `{name}` takes parameters, and an element is stored as one integer"),
+            )
+            .help("remove them, since no variant has a field that could use them");
+    }
     let variants = variants(data, errors)?;
     if !variants.iter().any(|(_, value)| *value == 0) {
         errors

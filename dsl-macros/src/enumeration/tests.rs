@@ -45,7 +45,7 @@ fn an_enum_is_two_matches() {
         }
     }
     ::allotrope::__enumeration! {
-        [] [Phase] []
+        Phase
     }
     ");
 }

@@ -4,7 +4,7 @@ use syn::Ident;
 
 use super::model::{
     AXES, Axis, AxisList, Branch, Group, LONGEST_NAME, Layout, MOST_BRANCHES, MOST_NODES, NAMED, Node, Pad, Place,
-    PlaceKind, Placed, Size, Sizes, Step, WIDEST_PAD, WORDS,
+    PlaceKind, Size, Sizes, Step, WIDEST_PAD, WORDS,
 };
 use crate::diagnostics::{Code, Diagnostics};
 use crate::nearest::nearest;
@@ -404,15 +404,16 @@ fn check_group(group: &Group, errors: &mut Diagnostics) {
             .error(Code::WrongGroup, &group.at, "a group without members has nothing to place")
             .help("name a member in it, or leave the group out");
     }
-    for Placed { name, .. } in &group.members {
-        let bytes = name.to_string().len();
+    for member in &group.members {
+        let (text, name) = (member.text(), &member.name);
+        let bytes = text.len();
         if bytes > LONGEST_NAME {
             errors
                 .error(
                     Code::LongName,
                     name,
                     format!(
-                        "the name `{name}` has {bytes} bytes, and a layout can carry names of {LONGEST_NAME} at most"
+                        "the name `{text}` has {bytes} bytes, and a layout can carry names of {LONGEST_NAME} at most"
                     ),
                 )
                 .help("shorten the member's name");
@@ -422,22 +423,25 @@ fn check_group(group: &Group, errors: &mut Diagnostics) {
 
 /// Each member in one group, and a record that says whose members they are.
 fn check_members(layout: &Layout, errors: &mut Diagnostics) {
-    let mut seen: Vec<&Ident> = Vec::new();
+    let mut seen: Vec<String> = Vec::new();
     let mut place = None;
     for step in layout.branches.iter().flat_map(|branch| &branch.steps) {
         let Step::Place(Place { name, kind: PlaceKind::Groups(groups), .. }) = step else { continue };
         place = place.or(Some(name));
-        for Placed { name, .. } in groups.iter().flat_map(|group| &group.members) {
-            if seen.contains(&name) {
+        for member in groups.iter().flat_map(|group| &group.members) {
+            let text = member.text();
+            // A record is placed with all of its members.
+            let below = |outer: &str, inner: &str| inner.strip_prefix(outer).is_some_and(|rest| rest.starts_with('.'));
+            if seen.iter().any(|known| *known == text || below(known, &text) || below(&text, known)) {
                 errors
                     .error(
                         Code::PlacedTwice,
-                        name,
-                        format!("the member `{name}` is placed twice, and can lie in one place only"),
+                        &member.name,
+                        format!("the member `{text}` is placed twice, and can lie in one place only"),
                     )
-                    .help(format!("name `{name}` in one group"));
+                    .help(format!("name `{text}` in one group"));
             }
-            seen.push(name);
+            seen.push(text);
         }
     }
     if let (Some(place), None) = (place, &layout.record) {

@@ -2,8 +2,7 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::Path;
-use syn::ext::IdentExt;
+use syn::{Ident, Path};
 
 use super::model::{
     AXES, Axis, AxisList, Branch, LONGEST_NAME, Layout, Node, Pad, Place, PlaceKind, Placed, Size, Step,
@@ -114,7 +113,7 @@ fn place(place: &Place, layout: &Layout, check: &mut Option<TokenStream>) -> Tok
 /// A member as a type: its name's bytes are two numbers. The first member of all carries the check of them all.
 fn placed(member: &Placed, check: Option<TokenStream>) -> TokenStream {
     let mut bytes = [0; LONGEST_NAME];
-    let name = member.name.unraw().to_string();
+    let name = member.text();
     bytes[..name.len()].copy_from_slice(name.as_bytes());
     let (high, low) = bytes.split_at(LONGEST_NAME / 2);
     let [high, low] = [high, low].map(|half| {
@@ -138,7 +137,15 @@ fn members_check(layout: &Layout, record: &Path) -> TokenStream {
         Step::Place(Place { kind: PlaceKind::Groups(groups), .. }) => Some(groups),
         _ => None,
     });
-    let names = groups.flatten().flat_map(|group| &group.members).map(|member| &member.name);
+    let members: Vec<&Placed> = groups.flatten().flat_map(|group| &group.members).collect();
+    // A record among the members is named once for each of its own.
+    let first = |place: &usize| !members[..*place].iter().any(|known| known.name == members[*place].name);
+    let names = (0..members.len()).filter(first).map(|place| &members[place].name);
+    let paths = members.iter().filter(|member| !member.inner.is_empty()).map(|member| {
+        let then = |path: TokenStream, inner: &Ident| quote!(.then(|tags| tags.#inner #path));
+        let (name, path) = (&member.name, member.inner.iter().rev().fold(TokenStream::new(), then));
+        quote!(let _ = <#record as ::allotrope::Record>::TAGS.#name #path;)
+    });
     quote! {
         #[allow(dead_code)]
         fn every_member_is_placed() {
@@ -146,6 +153,7 @@ fn members_check(layout: &Layout, record: &Path) -> TokenStream {
                 ::core::unreachable!()
             }
             let _ = #record { #(#names: any()),* };
+            #(#paths)*
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use proc_macro2::TokenStream;
 use quote::ToTokens;
+use syn::ext::IdentExt;
 use syn::{Expr, ExprLit, Ident, Lit, LitInt, Path, Token};
 
 use super::parse::{Syntax, Word, name};
@@ -144,7 +145,10 @@ pub(super) struct Group {
 
 /// A member in a group.
 pub(super) struct Placed {
+    /// The member.
     pub(super) name: Ident,
+    /// The members of the record that stands there, and so on: `node.v`.
+    pub(super) inner: Vec<Ident>,
     /// Its components are taken apart: `split(c)`.
     pub(super) split: bool,
 }
@@ -273,8 +277,29 @@ fn group(argument: Expr) -> Group {
 fn placed(entry: &Expr) -> Option<Placed> {
     match entry {
         Expr::Call(call) if name(&call.func)? == "split" && call.args.len() == 1 => {
-            Some(Placed { name: name(&call.args[0])?, split: true })
+            Some(Placed { split: true, ..path(&call.args[0])? })
         }
-        entry => Some(Placed { name: name(entry)?, split: false }),
+        entry => path(entry),
+    }
+}
+
+/// `node.v`
+fn path(entry: &Expr) -> Option<Placed> {
+    match entry {
+        Expr::Field(field) => {
+            let syn::Member::Named(member) = &field.member else { return None };
+            let mut placed = path(&field.base)?;
+            placed.inner.push(member.clone());
+            Some(placed)
+        }
+        entry => Some(Placed { name: name(entry)?, inner: Vec::new(), split: false }),
+    }
+}
+
+impl Placed {
+    /// The member as it is written.
+    pub(super) fn text(&self) -> String {
+        let inner: String = self.inner.iter().map(|name| format!(".{}", name.unraw())).collect();
+        format!("{}{inner}", self.name.unraw())
     }
 }

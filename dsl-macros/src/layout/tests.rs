@@ -197,7 +197,10 @@ fn groups() {
     assert_eq!(codes(quote!(Node: dense(ij).place)), [Code::WrongGroup]);
     assert_eq!(codes(quote!(Node: dense(ij).place([]))), [Code::WrongGroup]);
     assert_eq!(codes(quote!(Node: dense(ij).place(v, [m]))), [Code::WrongGroup]);
-    assert_eq!(codes(quote!(Node: dense(ij).place([v.x], [splt(m)]))), [Code::WrongGroup; 2]);
+    assert_eq!(codes(quote!(Node: dense(ij).place([v.0], [splt(m)]))), [Code::WrongGroup; 2]);
+    assert_eq!(codes(quote!(Cell: dense(ij).place([node.v, flag], [split(node.m)]))), []);
+    assert_eq!(codes(quote!(Cell: dense(ij).place([node.v, node.v]))), [Code::PlacedTwice]);
+    assert_eq!(codes(quote!(Cell: dense(ij).place([node], [node.v]))), [Code::PlacedTwice]);
     assert_eq!(codes(quote!(Node: dense(ij).place([thirty_two_bytes_xxxxxxxxxxxxxxx]))), []);
     assert_eq!(codes(quote!(Node: dense(ij).place([thirty_three_bytes_xxxxxxxxxxxxxx]))), [Code::LongName]);
 }

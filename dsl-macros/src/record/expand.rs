@@ -19,13 +19,17 @@ pub(super) fn expand(record: &Record<'_>) -> TokenStream {
     let places: Vec<_> = (0..names.len()).map(|n| format_ident!("A{n}")).collect();
     let locals: Vec<_> = (0..names.len()).map(|n| format_ident!("__{n}", span = Span::mixed_site())).collect();
     let all = format_ident!("__all", span = Span::mixed_site());
-    // A type that is no element fails its bound, at the member's type, and nothing else: within the implementation the
+    let paths: Vec<_> = numbers
+        .iter()
+        .map(|n| quote!(::allotrope::__private::Under<P__, ::allotrope::__private::Tag<Self::Elements, #n>>))
+        .collect();
+    // A type that is neither an element nor a record fails its bound, at the member's type, and nothing else: within the implementation the
     // bounds are taken to hold.
     let bounds = elements.iter().map(|element| {
         let (first, last) = ends(element);
         let library = quote_spanned!(first=> ::allotrope);
-        let element_trait = quote_spanned!(last=> Element);
-        quote!(#element: #library::#element_trait)
+        let record_trait = quote_spanned!(last=> Record);
+        quote!(#element: #library::#record_trait)
     });
 
     let (parameters, arguments, clause) = record.generics.split_for_impl();
@@ -54,23 +58,21 @@ pub(super) fn expand(record: &Record<'_>) -> TokenStream {
             {
                 type Elements = (#(#elements,)*);
                 const NAMES: &'static [&'static str] = &[#(#texts),*];
-                type Tags = #parts<#(::allotrope::__private::Tag<Self, #numbers>),*>;
+                type Tags = #parts<#(::allotrope::__private::Tag<Self::Elements, #numbers>),*>;
                 const TAGS: Self::Tags = #parts { #(#names: ::allotrope::__private::Tag::NEW),* };
-                type Members<'a, L__: ::allotrope::Layout<X__>, X__: ::allotrope::Axes> =
-                    #parts<#(::allotrope::Member<'a, Self, L__, X__, #numbers>),*>;
-                type MembersMut<'a, L__: ::allotrope::Layout<X__>, X__: ::allotrope::Axes> =
-                    #parts<#(::allotrope::MemberMut<'a, Self, L__, X__, #numbers>),*>;
+                type Members<'a, R__, P__, L__, X__> = #parts<#(::allotrope::__private::PartRef<'a, #elements, R__, #paths, L__, X__>),*>;
+                type MembersMut<'a, R__, P__, L__, X__> = #parts<#(::allotrope::__private::PartMut<'a, #elements, R__, #paths, L__, X__>),*>;
                 #[inline]
-                fn members<'a, L__: ::allotrope::Layout<X__>, X__: ::allotrope::Axes>(
-                    #all: ::allotrope::__private::MemberRefs<'a, Self, L__, X__>,
-                ) -> Self::Members<'a, L__, X__> {
+                fn members<'a, R__, P__, L__, X__>(
+                    #all: ::allotrope::__private::MemberRefs<'a, Self, R__, P__, L__, X__>,
+                ) -> Self::Members<'a, R__, P__, L__, X__> {
                     let (#(#locals,)*) = #all;
                     #parts { #(#names: #locals),* }
                 }
                 #[inline]
-                fn members_mut<'a, L__: ::allotrope::Layout<X__>, X__: ::allotrope::Axes>(
-                    #all: ::allotrope::__private::MemberMuts<'a, Self, L__, X__>,
-                ) -> Self::MembersMut<'a, L__, X__> {
+                fn members_mut<'a, R__, P__, L__, X__>(
+                    #all: ::allotrope::__private::MemberMuts<'a, Self, R__, P__, L__, X__>,
+                ) -> Self::MembersMut<'a, R__, P__, L__, X__> {
                     let (#(#locals,)*) = #all;
                     #parts { #(#names: #locals),* }
                 }

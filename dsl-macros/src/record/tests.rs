@@ -34,38 +34,78 @@ fn a_record_has_a_place_for_each_member() {
         #[allow(trivial_bounds, non_camel_case_types)]
         impl ::allotrope::Record for Node
         where
-            Vec2: ::allotrope::Element,
-            f32: ::allotrope::Element,
+            Vec2: ::allotrope::Record,
+            f32: ::allotrope::Record,
         {
             type Elements = (Vec2, f32);
             const NAMES: &'static [&'static str] = &["v", "m"];
             type Tags = NodeMembers<
-                ::allotrope::__private::Tag<Self, 0>,
-                ::allotrope::__private::Tag<Self, 1>,
+                ::allotrope::__private::Tag<Self::Elements, 0>,
+                ::allotrope::__private::Tag<Self::Elements, 1>,
             >;
             const TAGS: Self::Tags = NodeMembers {
                 v: ::allotrope::__private::Tag::NEW,
                 m: ::allotrope::__private::Tag::NEW,
             };
-            type Members<'a, L__: ::allotrope::Layout<X__>, X__: ::allotrope::Axes> = NodeMembers<
-                ::allotrope::Member<'a, Self, L__, X__, 0>,
-                ::allotrope::Member<'a, Self, L__, X__, 1>,
+            type Members<'a, R__, P__, L__, X__> = NodeMembers<
+                ::allotrope::__private::PartRef<
+                    'a,
+                    Vec2,
+                    R__,
+                    ::allotrope::__private::Under<
+                        P__,
+                        ::allotrope::__private::Tag<Self::Elements, 0>,
+                    >,
+                    L__,
+                    X__,
+                >,
+                ::allotrope::__private::PartRef<
+                    'a,
+                    f32,
+                    R__,
+                    ::allotrope::__private::Under<
+                        P__,
+                        ::allotrope::__private::Tag<Self::Elements, 1>,
+                    >,
+                    L__,
+                    X__,
+                >,
             >;
-            type MembersMut<'a, L__: ::allotrope::Layout<X__>, X__: ::allotrope::Axes> = NodeMembers<
-                ::allotrope::MemberMut<'a, Self, L__, X__, 0>,
-                ::allotrope::MemberMut<'a, Self, L__, X__, 1>,
+            type MembersMut<'a, R__, P__, L__, X__> = NodeMembers<
+                ::allotrope::__private::PartMut<
+                    'a,
+                    Vec2,
+                    R__,
+                    ::allotrope::__private::Under<
+                        P__,
+                        ::allotrope::__private::Tag<Self::Elements, 0>,
+                    >,
+                    L__,
+                    X__,
+                >,
+                ::allotrope::__private::PartMut<
+                    'a,
+                    f32,
+                    R__,
+                    ::allotrope::__private::Under<
+                        P__,
+                        ::allotrope::__private::Tag<Self::Elements, 1>,
+                    >,
+                    L__,
+                    X__,
+                >,
             >;
             #[inline]
-            fn members<'a, L__: ::allotrope::Layout<X__>, X__: ::allotrope::Axes>(
-                __all: ::allotrope::__private::MemberRefs<'a, Self, L__, X__>,
-            ) -> Self::Members<'a, L__, X__> {
+            fn members<'a, R__, P__, L__, X__>(
+                __all: ::allotrope::__private::MemberRefs<'a, Self, R__, P__, L__, X__>,
+            ) -> Self::Members<'a, R__, P__, L__, X__> {
                 let (__0, __1) = __all;
                 NodeMembers { v: __0, m: __1 }
             }
             #[inline]
-            fn members_mut<'a, L__: ::allotrope::Layout<X__>, X__: ::allotrope::Axes>(
-                __all: ::allotrope::__private::MemberMuts<'a, Self, L__, X__>,
-            ) -> Self::MembersMut<'a, L__, X__> {
+            fn members_mut<'a, R__, P__, L__, X__>(
+                __all: ::allotrope::__private::MemberMuts<'a, Self, R__, P__, L__, X__>,
+            ) -> Self::MembersMut<'a, R__, P__, L__, X__> {
                 let (__0, __1) = __all;
                 NodeMembers { v: __0, m: __1 }
             }

@@ -10,7 +10,7 @@ use crate::axes::{Axes, MAX_AXES};
 use crate::element::Kind;
 use crate::index::IntoIndex;
 use crate::layout::Layout;
-use crate::record::{ElementList, Record};
+use crate::record::{ElementList, Names, Record};
 
 /// A number of a field that is NaN or infinite: [`Field::find_nonfinite`].
 #[derive(Clone, Copy, Debug)]
@@ -94,13 +94,10 @@ fn nonfinite_at<R: Record, L: Layout<X>, X: Axes>(
             };
             if !value.is_finite() {
                 let index = X::index(at.map(|n| n as i32));
-                let member = (R::NAMES != BARE).then(|| R::NAMES[m]);
+                let member = (!R::Elements::BARE).then(|| Names::<R>::ALL[m]);
                 return Some(NonFinite { index, member, component, value });
             }
         }
     }
     None
 }
-
-/// The names of a bare element, which no struct's member has.
-pub(super) const BARE: &[&str] = &["0"];

@@ -1,46 +1,48 @@
 //! Host access to single members: `field.members().mass.to_vec()`.
 
+use core::marker::PhantomData;
+
 use super::host::{Places, out_of_range};
 use super::{Field, Handle, OutOfRange};
 use crate::axes::Axes;
 use crate::index::IntoIndex;
 use crate::layout::Layout;
-use crate::record::{At, ElementList, Record, Tag};
+use crate::record::{ElementList, Path, Record, Whole};
 
 /// One member of a field, to read.
-pub struct Member<'a, R, L, X, const M: usize>(Handle<'a, R, L, X>);
+pub struct Member<'a, R, L, X, P>(Handle<'a, R, L, X>, PhantomData<P>);
 
 /// One member of a field, to change. No two of them alias.
-pub struct MemberMut<'a, R, L, X, const M: usize>(Handle<'a, R, L, X>);
+pub struct MemberMut<'a, R, L, X, P>(Handle<'a, R, L, X>, PhantomData<P>);
 
-impl<R, L, X, const M: usize> Clone for Member<'_, R, L, X, M> {
+impl<R, L, X, P> Clone for Member<'_, R, L, X, P> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<R, L, X, const M: usize> Copy for Member<'_, R, L, X, M> {}
-impl<R, L, X, const M: usize> core::fmt::Debug for Member<'_, R, L, X, M> {
+impl<R, L, X, P> Copy for Member<'_, R, L, X, P> {}
+impl<R, L, X, P> core::fmt::Debug for Member<'_, R, L, X, P> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "Member {M}")
+        write!(f, "Member({})", core::any::type_name::<P>())
     }
 }
-impl<R, L, X, const M: usize> core::fmt::Debug for MemberMut<'_, R, L, X, M> {
+impl<R, L, X, P> core::fmt::Debug for MemberMut<'_, R, L, X, P> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "MemberMut {M}")
+        write!(f, "MemberMut({})", core::any::type_name::<P>())
     }
 }
 
-impl<'a, R, L, X, const M: usize> Member<'a, R, L, X, M> {
+impl<'a, R, L, X, P> Member<'a, R, L, X, P> {
     pub(crate) fn new(handle: Handle<'a, R, L, X>) -> Self {
-        Self(handle)
+        Self(handle, PhantomData)
     }
     pub(super) fn handle(&self) -> &Handle<'a, R, L, X> {
         &self.0
     }
 }
-impl<'a, R, L, X, const M: usize> MemberMut<'a, R, L, X, M> {
+impl<'a, R, L, X, P> MemberMut<'a, R, L, X, P> {
     pub(crate) fn new(handle: Handle<'a, R, L, X>) -> Self {
-        Self(handle)
+        Self(handle, PhantomData)
     }
     pub(super) fn handle(&self) -> &Handle<'a, R, L, X> {
         &self.0
@@ -61,51 +63,45 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     /// grid.members_mut().mass.fill(0.5);
     /// assert_eq!(grid.members().mass.to_vec(), [0.5; 4]);
     /// ```
-    pub fn members(&self) -> R::Members<'_, L, X> {
-        R::members(R::Elements::members(self.handle()))
+    pub fn members(&self) -> R::Members<'_, R, Whole, L, X> {
+        R::members(R::Elements::members::<R, Whole, L, X>(self.handle()))
     }
 
     /// The members, one public field each, to change: the borrow checker keeps them apart.
-    pub fn members_mut(&mut self) -> R::MembersMut<'_, L, X> {
-        R::members_mut(R::Elements::members_mut(self.handle()))
+    pub fn members_mut(&mut self) -> R::MembersMut<'_, R, Whole, L, X> {
+        R::members_mut(R::Elements::members_mut::<R, Whole, L, X>(self.handle()))
     }
 }
 
-impl<R: Record, L: Layout<X>, X: Axes, const M: usize> Member<'_, R, L, X, M>
-where
-    R::Elements: At<M>,
-{
+impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Member<'_, R, L, X, P> {
     /// The value at an index.
     ///
     /// # Panics
     /// Where the index lies outside of the shape.
     #[track_caller]
-    pub fn get(&self, index: impl IntoIndex<X>) -> <R::Elements as At<M>>::Element {
-        get(&self.0, index)
+    pub fn get(&self, index: impl IntoIndex<X>) -> P::Value {
+        get::<P, _, _, _>(&self.0, index)
     }
 
     /// All values in logical row-major order.
-    pub fn to_vec(&self) -> Vec<<R::Elements as At<M>>::Element> {
-        to_vec(&self.0)
+    pub fn to_vec(&self) -> Vec<P::Value> {
+        to_vec::<P, _, _, _>(&self.0)
     }
 }
 
-impl<R: Record, L: Layout<X>, X: Axes, const M: usize> MemberMut<'_, R, L, X, M>
-where
-    R::Elements: At<M>,
-{
+impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> MemberMut<'_, R, L, X, P> {
     /// The value at an index.
     ///
     /// # Panics
     /// Where the index lies outside of the shape.
     #[track_caller]
-    pub fn get(&self, index: impl IntoIndex<X>) -> <R::Elements as At<M>>::Element {
-        get(&self.0, index)
+    pub fn get(&self, index: impl IntoIndex<X>) -> P::Value {
+        get::<P, _, _, _>(&self.0, index)
     }
 
     /// All values in logical row-major order.
-    pub fn to_vec(&self) -> Vec<<R::Elements as At<M>>::Element> {
-        to_vec(&self.0)
+    pub fn to_vec(&self) -> Vec<P::Value> {
+        to_vec::<P, _, _, _>(&self.0)
     }
 
     /// Puts a value at an index.
@@ -113,17 +109,17 @@ where
     /// # Panics
     /// Where the index lies outside of the shape.
     #[track_caller]
-    pub fn set(&mut self, index: impl IntoIndex<X>, value: <R::Elements as At<M>>::Element) {
+    pub fn set(&mut self, index: impl IntoIndex<X>, value: P::Value) {
         let Some(at) = self.0.locate(index) else { missed::<R, L, X>(&self.0, index) };
         // SAFETY: `locate` returns indices within the shape; this member is ours alone.
-        unsafe { self.0.write::<Tag<R, M>>(at, value) };
+        unsafe { self.0.write::<P>(at, value) };
     }
 
     /// Puts the same value everywhere.
-    pub fn fill(&mut self, value: <R::Elements as At<M>>::Element) {
+    pub fn fill(&mut self, value: P::Value) {
         for at in Places::<X>::new(self.0.geometry.shape) {
             // SAFETY: places lie within the shape; this member is ours alone.
-            unsafe { self.0.write::<Tag<R, M>>(at, value) };
+            unsafe { self.0.write::<P>(at, value) };
         }
     }
 
@@ -132,7 +128,7 @@ where
     /// # Panics
     /// Where the slice has not as many values as the field has elements.
     #[track_caller]
-    pub fn copy_from_slice(&mut self, values: &[<R::Elements as At<M>>::Element]) {
+    pub fn copy_from_slice(&mut self, values: &[P::Value]) {
         let places = Places::<X>::new(self.0.geometry.shape);
         assert!(
             values.len() == places.len(),
@@ -142,33 +138,25 @@ where
         );
         for (at, &value) in places.zip(values) {
             // SAFETY: places lie within the shape; this member is ours alone.
-            unsafe { self.0.write::<Tag<R, M>>(at, value) };
+            unsafe { self.0.write::<P>(at, value) };
         }
     }
 }
 
 #[track_caller]
-fn get<R: Record, L: Layout<X>, X: Axes, const M: usize>(
+fn get<P: Path<R>, R: Record, L: Layout<X>, X: Axes>(
     handle: &Handle<'_, R, L, X>,
     index: impl IntoIndex<X>,
-) -> <R::Elements as At<M>>::Element
-where
-    R::Elements: At<M>,
-{
+) -> P::Value {
     let Some(at) = handle.locate(index) else { missed::<R, L, X>(handle, index) };
     // SAFETY: `locate` returns indices within the shape; the member's borrow keeps writers away.
-    unsafe { handle.read::<Tag<R, M>>(at) }
+    unsafe { handle.read::<P>(at) }
 }
 
-fn to_vec<R: Record, L: Layout<X>, X: Axes, const M: usize>(
-    handle: &Handle<'_, R, L, X>,
-) -> Vec<<R::Elements as At<M>>::Element>
-where
-    R::Elements: At<M>,
-{
+fn to_vec<P: Path<R>, R: Record, L: Layout<X>, X: Axes>(handle: &Handle<'_, R, L, X>) -> Vec<P::Value> {
     Places::<X>::new(handle.geometry.shape)
         // SAFETY: places lie within the shape; the member's borrow keeps writers away.
-        .map(|at| unsafe { handle.read::<Tag<R, M>>(at) })
+        .map(|at| unsafe { handle.read::<P>(at) })
         .collect()
 }
 

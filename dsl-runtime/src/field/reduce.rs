@@ -5,7 +5,7 @@ use super::parts::each_part;
 use super::{Field, Handle, Member};
 use crate::axes::Axes;
 use crate::layout::Layout;
-use crate::record::{At, Path, Record, Tag, Whole};
+use crate::record::{Path, Record, Whole};
 
 impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     /// All records combined into one, in parallel.
@@ -51,10 +51,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     }
 }
 
-impl<R: Record, L: Layout<X>, X: Axes, const M: usize> Member<'_, R, L, X, M>
-where
-    R::Elements: At<M>,
-{
+impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Member<'_, R, L, X, P> {
     /// All values of the member combined into one, in parallel. The order is that of [`Field::reduce`].
     ///
     /// ```
@@ -68,16 +65,8 @@ where
     /// grid.members_mut().mass.fill(0.5);
     /// assert_eq!(grid.members().mass.reduce(0.0, |a, b| a + b), 8.0);
     /// ```
-    pub fn reduce(
-        &self,
-        identity: <R::Elements as At<M>>::Element,
-        combine: impl Fn(
-            <R::Elements as At<M>>::Element,
-            <R::Elements as At<M>>::Element,
-        ) -> <R::Elements as At<M>>::Element
-        + Sync,
-    ) -> <R::Elements as At<M>>::Element {
-        reduce::<Tag<R, M>, _, _, _, _>(self.handle(), identity, |value| value, combine)
+    pub fn reduce(&self, identity: P::Value, combine: impl Fn(P::Value, P::Value) -> P::Value + Sync) -> P::Value {
+        reduce::<P, _, _, _, _>(self.handle(), identity, |value| value, combine)
     }
 }
 

@@ -9,7 +9,7 @@ use crate::axes::I;
 use crate::element::{Element, Scalar};
 use crate::layout::Layout;
 use crate::number::Number;
-use crate::record::{At, Record, Tag};
+use crate::record::{Path, Record};
 
 /// A running sum that its type cannot hold.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,10 +28,9 @@ impl fmt::Display for ScanOverflow {
 
 impl std::error::Error for ScanOverflow {}
 
-impl<R: Record, L: Layout<I>, const M: usize> MemberMut<'_, R, L, I, M>
+impl<R: Record, L: Layout<I>, P: Path<R>> MemberMut<'_, R, L, I, P>
 where
-    R::Elements: At<M>,
-    <R::Elements as At<M>>::Element: Number,
+    P::Value: Element + Number,
 {
     /// Replaces every value by the sum of those before it, in parallel, and returns the sum of all: see
     /// [`Field::exclusive_scan`].
@@ -39,7 +38,7 @@ where
     /// # Panics
     /// Where a sum of integers overflows.
     #[track_caller]
-    pub fn exclusive_scan(&mut self) -> <R::Elements as At<M>>::Element {
+    pub fn exclusive_scan(&mut self) -> P::Value {
         self.try_exclusive_scan()
             .unwrap_or_else(|error| panic!("`exclusive_scan` of `{}`: {error}", core::any::type_name::<R>()))
     }
@@ -49,15 +48,14 @@ where
     ///
     /// # Errors
     /// Where a sum of integers overflows; the values then stay as they were.
-    pub fn try_exclusive_scan(&mut self) -> Result<<R::Elements as At<M>>::Element, ScanOverflow> {
-        type Value<R, const M: usize> = <<R as Record>::Elements as At<M>>::Element;
+    pub fn try_exclusive_scan(&mut self) -> Result<P::Value, ScanOverflow> {
         let handle = self.handle();
         let (shape, len) = (handle.geometry.shape, handle.geometry.len());
         // Not `EMPTY_SUM`, which is -0.0 for floats.
-        let zero = Value::<R, M>::EMPTY_PRODUCT.minus(Value::<R, M>::EMPTY_PRODUCT);
+        let zero = P::Value::EMPTY_PRODUCT.minus(P::Value::EMPTY_PRODUCT);
         let values = |part| {
             // SAFETY: places lie within the shape; this member is ours alone, and nobody writes it while it is read.
-            Places::<I>::part(shape, part).map(|at| unsafe { handle.read::<Tag<R, M>>(at) })
+            Places::<I>::part(shape, part).map(|at| unsafe { handle.read::<P>(at) })
         };
 
         let sums = each_part(len, |part| values(part).fold(zero, Number::plus));
@@ -68,7 +66,7 @@ where
             total = total.plus(sum);
         }
         // Sums so far wrapped around. The first overflow is found for certain, since all sums before it are exact.
-        if <Value<R, M> as Element>::Scalar::KIND.is_integer() {
+        if <P::Value as Element>::Scalar::KIND.is_integer() {
             let overflows = each_part(len, |part| {
                 let (first, mut sum) = (part.start, before[part.start / PART]);
                 for (n, value) in values(part).enumerate() {
@@ -80,7 +78,7 @@ where
                 None
             });
             if let Some(index) = overflows.into_iter().flatten().next() {
-                return Err(ScanOverflow { index, scalar: core::any::type_name::<Value<R, M>>() });
+                return Err(ScanOverflow { index, scalar: core::any::type_name::<P::Value>() });
             }
         }
         each_part(len, |part| {
@@ -89,9 +87,9 @@ where
             let (start, mut sum) = (before[part.start / PART], zero);
             for at in Places::<I>::part(shape, part) {
                 // SAFETY: places lie within the shape; this member is ours alone, and each part has its own places.
-                let value = unsafe { handle.read::<Tag<R, M>>(at) };
+                let value = unsafe { handle.read::<P>(at) };
                 // SAFETY: as above.
-                unsafe { handle.write::<Tag<R, M>>(at, start.plus(sum)) };
+                unsafe { handle.write::<P>(at, start.plus(sum)) };
                 sum = sum.plus(value);
             }
         });

@@ -6,7 +6,7 @@ use crate::element::{Element, Packed, Sealed};
 use crate::field::host::{Places, out_of_range};
 use crate::index::IntoIndex;
 use crate::layout::{Aos, Geometry, Layout};
-use crate::record::{At, Path, Record, Tag, Whole};
+use crate::record::{Path, Record, Whole};
 
 /// What a kernel indexes: a field, one member of a field, or a slice. See [`AnyMember`], which says what values it holds.
 ///
@@ -224,17 +224,14 @@ impl<R: Record, L: Layout<X>, X: Axes> SourceMut for Field<R, L, X> {
 
 macro_rules! members {
     ($($member:ident)*) => {$(
-        impl<R, L, X, const M: usize> Sealed for $member<'_, R, L, X, M> {}
-        impl<R: Record, L: Layout<X>, X: Axes, const M: usize> Source for $member<'_, R, L, X, M>
-        where
-            R::Elements: At<M>,
-        {
+        impl<R, L, X, P> Sealed for $member<'_, R, L, X, P> {}
+        impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Source for $member<'_, R, L, X, P> {
             type Record = R;
             type Layout = L;
             type Axes = X;
-            type Value = <R::Elements as At<M>>::Element;
-            type Path = Tag<R, M>;
-            const PATH: Tag<R, M> = Tag::NEW;
+            type Value = P::Value;
+            type Path = P;
+            const PATH: P = P::PATH;
             #[inline(always)]
             fn handle(&self) -> Handle<'_, R, L, X> {
                 *$member::handle(self)
@@ -243,10 +240,7 @@ macro_rules! members {
     )*};
 }
 members!(Member MemberMut);
-impl<R: Record, L: Layout<X>, X: Axes, const M: usize> SourceMut for MemberMut<'_, R, L, X, M>
-where
-    R::Elements: At<M>,
-{
+impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> SourceMut for MemberMut<'_, R, L, X, P> {
     #[inline(always)]
     fn handle_mut(&mut self) -> Handle<'_, R, L, X> {
         *MemberMut::handle(self)

@@ -9,7 +9,7 @@ use crate::element::Sealed;
 use crate::index::Integer;
 use crate::layout::node::{Chained, nth_row, order, rows};
 use crate::layout::{Chain, Digit, Geometry, Layout, Map};
-use crate::record::{Path, Record, Whole};
+use crate::record::{ElementList, Path, Record, Whole};
 use crate::view::{Places, View};
 
 /// What a parallel loop runs over. The list is closed: each element is visited exactly once.
@@ -104,10 +104,7 @@ impl<R, L, X, P> core::fmt::Debug for Cells<R, L, X, P> {
 impl<R, L, X, P> Sealed for Cells<R, L, X, P> {}
 
 impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Chained<X> for Cells<R, L, X, P> {
-    const CHAIN: &'static Chain = Map::<R, L, X>::chain(match P::MEMBER {
-        Some(member) => member,
-        None => 0,
-    });
+    const CHAIN: &'static Chain = Map::<R, L, X>::chain(P::OFFSET);
 }
 
 impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
@@ -336,12 +333,11 @@ pub fn of_branch<R: Record, L: Layout<X>, X: Axes, P: Path<R>, const WRITE: bool
 ) -> Cells<R, L, X, P> {
     const {
         assert!(
-            P::MEMBER.is_some() || L::BRANCHES == 1,
+            Map::<R, L, X>::is_one_branch(P::OFFSET, <P::Value as Record>::Elements::MEMBERS.len()),
             "a loop over a field whose members stand in several branches names the branch by a member: `for ij in grid.m`"
         )
     }
-    let member = P::MEMBER.unwrap_or_default();
-    Cells::new(Map::<R, L, X>::geometry(&field.handle.geometry, member), width)
+    Cells::new(Map::<R, L, X>::geometry(&field.handle.geometry, P::OFFSET), width)
 }
 
 /// A box of integers, its last axis fastest.

@@ -7,7 +7,7 @@ use super::place::{Seat, Streams, round_up};
 use super::{Geometry, Inner, Layout};
 use crate::axes::{Axes, MAX_AXES, sum};
 use crate::field::memory::LINE;
-use crate::record::{ElementList, MAX_MEMBERS, Record};
+use crate::record::{ElementList, MAX_MEMBERS, Names, Record};
 
 /// Where the records `R` lie in the layout `L` over `X`. Members that stand in no node of the first branch are asked for in the
 /// others: which one it is, is known at compile time.
@@ -28,7 +28,7 @@ struct Facts {
 
 impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     // Tables stand behind references: a use then reads one entry, and copies nothing.
-    const STREAMS: &'static Streams = &Streams::of(L::CHAIN.spec, L::CHAIN.pad, R::Elements::MEMBERS, R::NAMES);
+    const STREAMS: &'static Streams = &Streams::of(L::CHAIN.spec, L::CHAIN.pad, R::Elements::MEMBERS, Names::<R>::ALL);
     const CHAIN: &'static Chain = &L::CHAIN;
     /// What each run of a flat root begins at a multiple of: a cache line, or what the layout asks for.
     const RUN_LINE: usize = if L::CHAIN.pad > LINE { L::CHAIN.pad } else { LINE };
@@ -94,6 +94,23 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// The branch that a member stands in.
     pub(crate) const fn chain(m: usize) -> &'static Chain {
         if Self::here(m) { Self::CHAIN } else { Map::<R, L::Rest, X>::chain(m) }
+    }
+
+    /// The number of a member's branch.
+    const fn branch(m: usize) -> usize {
+        if Self::here(m) { 0 } else { 1 + Map::<R, L::Rest, X>::branch(m) }
+    }
+
+    /// Whether so many members from one on stand in one branch.
+    pub(crate) const fn is_one_branch(first: usize, count: usize) -> bool {
+        let mut m = first;
+        while m < first + count {
+            if Self::branch(m) != Self::branch(first) {
+                return false;
+            }
+            m += 1;
+        }
+        true
     }
 
     /// The geometry of a member's branch.

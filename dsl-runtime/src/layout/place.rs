@@ -185,23 +185,22 @@ pub(crate) const fn round_up(n: usize, to: usize) -> usize {
     n.div_ceil(to) * to
 }
 
+/// Whether a name is what a group says, or that of a member of the record which the group says: `node.v` for `node`.
 const fn named(name: &str, packed: (u128, u128)) -> bool {
-    let bytes = name.as_bytes();
-    if bytes.len() > 32 {
-        return false;
-    }
-    let (mut high, mut low) = (0u128, 0u128);
+    let name = name.as_bytes();
     let mut b = 0;
     while b < 32 {
-        let byte = if b < bytes.len() { bytes[b] as u128 } else { 0 };
-        if b < 16 {
-            high = high << 8 | byte;
-        } else {
-            low = low << 8 | byte;
+        let (half, shift) = if b < 16 { (packed.0, 120 - 8 * b) } else { (packed.1, 120 - 8 * (b - 16)) };
+        let byte = (half >> shift) as u8;
+        if byte == 0 {
+            break;
+        }
+        if b >= name.len() || name[b] != byte {
+            return false;
         }
         b += 1;
     }
-    high == packed.0 && low == packed.1
+    b == name.len() || name[b] == b'.'
 }
 
 impl Streams {
@@ -283,18 +282,24 @@ impl Streams {
                         let mut e = 0;
                         while e < group.len() {
                             if group[e].split == (pass == 1) {
-                                let mut m = 0;
-                                while m < names.len() && !named(names[m], group[e].name) {
+                                let (mut m, mut found) = (0, false);
+                                while m < names.len() {
+                                    if named(names[m], group[e].name) {
+                                        assert!(
+                                            this.seats[m].stream == MAX_MEMBERS,
+                                            "`.place(..)` names a member twice"
+                                        );
+                                        this = this.seat(m, members[m], pass == 1);
+                                        if pass == 1 {
+                                            this = this.close(members);
+                                        } else {
+                                            open = true;
+                                        }
+                                        found = true;
+                                    }
                                     m += 1;
                                 }
-                                assert!(m < names.len(), "`.place(..)` names a member that the record does not have");
-                                assert!(this.seats[m].stream == MAX_MEMBERS, "`.place(..)` names a member twice");
-                                this = this.seat(m, members[m], pass == 1);
-                                if pass == 1 {
-                                    this = this.close(members);
-                                } else {
-                                    open = true;
-                                }
+                                assert!(found, "`.place(..)` names a member that the record does not have");
                             }
                             e += 1;
                         }
@@ -391,5 +396,11 @@ mod tests {
     fn names_are_compared_byte_by_byte() {
         assert!(named("v", ((b'v' as u128) << 120, 0)));
         assert!(!named("vv", ((b'v' as u128) << 120, 0)));
+        assert!(!named("", ((b'v' as u128) << 120, 0)));
+        assert!(named("v.x", ((b'v' as u128) << 120, 0)));
+        let (high, low) = (u128::from_be_bytes(*b"abcdefghijklmnop"), u128::from_be_bytes(*b"qrstuvwxyzabcdef"));
+        assert!(named("abcdefghijklmnopqrstuvwxyzabcdef", (high, low)));
+        assert!(!named("abcdefghijklmnopqrstuvwxyzabcdefg", (high, low)));
+        assert!(named("abcdefghijklmnop", (high, 0)) && !named("abcdefghijklmnop", (high, low)));
     }
 }

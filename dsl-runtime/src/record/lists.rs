@@ -1,39 +1,111 @@
-//! Tuples of elements: the members of a record as the runtime sees them. One list of arities, up to [`MAX_MEMBERS`](super::MAX_MEMBERS).
+//! Tuples of records: the members of a record as the runtime sees them. One list of arities, up to [`MAX_MEMBERS`].
 
-use super::{At, ElementList, MemberSpec, sealed};
+use super::{At, Bare, ElementList, Entry, MAX_MEMBERS, MemberSpec, PartMut, PartRef, Record, Tag, Under, sealed};
 use crate::element::Element;
-use crate::field::{Handle, Member, MemberMut};
+use crate::field::Handle;
+
+/// How many elements come before an entry.
+const fn offset(entries: &[Entry], entry: usize) -> usize {
+    let (mut offset, mut e) = (0, 0);
+    while e < entry {
+        offset += entries[e].members.len();
+        e += 1;
+    }
+    offset
+}
+
+/// The elements of all entries, one after another, and how many they are.
+const fn flattened(entries: &[Entry]) -> ([MemberSpec; MAX_MEMBERS], usize) {
+    let mut all = [entries[0].members[0]; MAX_MEMBERS];
+    let (mut count, mut e) = (0, 0);
+    while e < entries.len() {
+        let mut m = 0;
+        while m < entries[e].members.len() {
+            assert!(
+                count < MAX_MEMBERS,
+                "a record has 24 members at most, those of the records in it counted one by one"
+            );
+            all[count] = entries[e].members[m];
+            count += 1;
+            m += 1;
+        }
+        e += 1;
+    }
+    (all, count)
+}
+
+impl<E: Element> At<0> for Bare<E> {
+    type Entry = E;
+    const OFFSET: usize = 0;
+}
 
 macro_rules! list {
-    ($($element:ident $n:literal),+) => {
-        impl<$($element: Element),+> sealed::List for ($($element,)+) {}
-        impl<$($element: Element),+> ElementList for ($($element,)+) {
-            const MEMBERS: &'static [MemberSpec] = &[$(MemberSpec::of::<$element>()),+];
-            type Members<'a, R, L, X> = ($(Member<'a, R, L, X, $n>,)+);
-            type MembersMut<'a, R, L, X> = ($(MemberMut<'a, R, L, X, $n>,)+);
-            fn members<'a, R, L, X>(handle: Handle<'a, R, L, X>) -> Self::Members<'a, R, L, X> {
-                ($(Member::<'a, R, L, X, $n>::new(handle),)+)
+    ($($entry:ident $n:literal),+) => {
+        impl<$($entry: Record),+> sealed::List for ($($entry,)+) {}
+        impl<$($entry: Record),+> ElementList for ($($entry,)+) {
+            const BARE: bool = false;
+            const PACKED: bool = false;
+            const ENTRIES: &'static [Entry] = &[$(Entry::of::<$entry>()),+];
+            const MEMBERS: &'static [MemberSpec] = {
+                let (all, count): &'static ([MemberSpec; MAX_MEMBERS], usize) = &const { flattened(Self::ENTRIES) };
+                all.split_at(*count).0
+            };
+            type Members<'a, R, P, L, X> = ($(PartRef<'a, $entry, R, Under<P, Tag<Self, $n>>, L, X>,)+);
+            type MembersMut<'a, R, P, L, X> = ($(PartMut<'a, $entry, R, Under<P, Tag<Self, $n>>, L, X>,)+);
+            type Part<'a, T: Record, R, P, L, X> = T::Members<'a, R, P, L, X>;
+            type PartMut<'a, T: Record, R, P, L, X> = T::MembersMut<'a, R, P, L, X>;
+            fn members<'a, R, P, L, X>(handle: Handle<'a, R, L, X>) -> Self::Members<'a, R, P, L, X> {
+                ($($entry::Elements::part::<$entry, R, Under<P, Tag<Self, $n>>, L, X>(handle),)+)
             }
-            fn members_mut<'a, R, L, X>(handle: Handle<'a, R, L, X>) -> Self::MembersMut<'a, R, L, X> {
-                ($(MemberMut::<'a, R, L, X, $n>::new(handle),)+)
+            fn members_mut<'a, R, P, L, X>(handle: Handle<'a, R, L, X>) -> Self::MembersMut<'a, R, P, L, X> {
+                ($($entry::Elements::part_mut::<$entry, R, Under<P, Tag<Self, $n>>, L, X>(handle),)+)
+            }
+            fn part<'a, T: Record<Elements = Self>, R, P, L, X>(
+                handle: Handle<'a, R, L, X>,
+            ) -> Self::Part<'a, T, R, P, L, X> {
+                T::members::<R, P, L, X>(Self::members::<R, P, L, X>(handle))
+            }
+            fn part_mut<'a, T: Record<Elements = Self>, R, P, L, X>(
+                handle: Handle<'a, R, L, X>,
+            ) -> Self::PartMut<'a, T, R, P, L, X> {
+                T::members_mut::<R, P, L, X>(Self::members_mut::<R, P, L, X>(handle))
             }
             #[inline(always)]
             unsafe fn gather(at: impl Fn(usize) -> (*mut u8, usize)) -> Self {
-                // SAFETY: the caller promises readable members; `at` names each one's first component and their distance.
-                ($({ let (from, component) = at($n); unsafe { $element::gather(from, component) } },)+)
+                ($({
+                    // SAFETY: the caller promises readable members; `at` names each one's first component and their distance.
+                    let elements = unsafe {
+                        $entry::Elements::gather(
+                            #[inline(always)]
+                            |m| at(<Self as At<$n>>::OFFSET + m),
+                        )
+                    };
+                    $entry::from_elements(elements)
+                },)+)
             }
             #[inline(always)]
             #[allow(non_snake_case, reason = "the variables are named after the types")]
             unsafe fn scatter(self, at: impl Fn(usize) -> (*mut u8, usize)) {
-                let ($($element,)+) = self;
-                // SAFETY: the caller promises writable members; `at` names each one's first component and their distance.
-                $({ let (to, component) = at($n); unsafe { $element.scatter(to, component) } })+
+                let ($($entry,)+) = self;
+                $({
+                    let elements = $entry.into_elements();
+                    // SAFETY: the caller promises writable members; `at` names each one's first component and their distance.
+                    unsafe {
+                        elements.scatter(
+                            #[inline(always)]
+                            |m| at(<Self as At<$n>>::OFFSET + m),
+                        )
+                    }
+                })+
             }
             fn wrong(member: usize, bytes: &[u8]) -> Option<i64> {
-                match member {
-                    $($n => $element::wrong(bytes),)+
-                    _ => None,
-                }
+                $(
+                    let first = <Self as At<$n>>::OFFSET;
+                    if (first..first + $entry::Elements::MEMBERS.len()).contains(&member) {
+                        return $entry::Elements::wrong(member - first, bytes);
+                    }
+                )+
+                None
             }
         }
     };
@@ -65,9 +137,10 @@ list!(E0 0, E1 1, E2 2, E3 3, E4 4, E5 5, E6 6, E7 7, E8 8, E9 9, E10 10, E11 11
 list!(E0 0, E1 1, E2 2, E3 3, E4 4, E5 5, E6 6, E7 7, E8 8, E9 9, E10 10, E11 11, E12 12, E13 13, E14 14, E15 15, E16 16, E17 17, E18 18, E19 19, E20 20, E21 21, E22 22, E23 23);
 
 macro_rules! at {
-    ($n:literal $pick:ident; $($element:ident),+) => {
-        impl<$($element: Element),+> At<$n> for ($($element,)+) {
-            type Element = $pick;
+    ($n:literal $pick:ident; $($entry:ident),+) => {
+        impl<$($entry: Record),+> At<$n> for ($($entry,)+) {
+            type Entry = $pick;
+            const OFFSET: usize = offset(Self::ENTRIES, $n);
         }
     };
 }

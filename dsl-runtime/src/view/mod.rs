@@ -108,7 +108,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
         R::TAGS
     }
 
-    /// Which member a path names.
+    /// Which element a path names.
     #[inline(always)]
     pub fn member<P: Path<R>>(&self, _: P) -> usize {
         P::MEMBER.expect("an element is one member")
@@ -211,7 +211,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes> View<'a, R, L, X, true> {
         self,
         run: &Run<'_, S>,
         _: P,
-        buffer: &'b Buffer<P::Value>,
+        buffer: &'b Buffer<<P::Value as Record>::Elements>,
     ) -> Held<'a, 'b, R, L, X, P, S> {
         Held::new(self.handle, self.site, run, buffer)
     }

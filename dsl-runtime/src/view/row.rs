@@ -368,11 +368,14 @@ impl<T: Copy> Buffer<T> {
     }
 }
 
+/// What a value is made of: whoever implements `Record` says how, and bytes of a field are a list, never the value itself.
+type List<R, P> = <<P as Path<R>>::Value as Record>::Elements;
+
 /// As [`Own`]; what is written to whole runs of blocks waits in a buffer for [`flush`](Held::flush).
 #[doc(hidden)]
 pub struct Held<'a, 'b, R: Record, L, X, P: Path<R>, S> {
     line: Line<'a, R, L, X, P, S>,
-    buffer: &'b Buffer<P::Value>,
+    buffer: &'b Buffer<List<R, P>>,
 }
 
 impl<R: Record, L, X, P: Path<R>, S> core::fmt::Debug for Held<'_, '_, R, L, X, P, S> {
@@ -384,23 +387,24 @@ impl<R: Record, L, X, P: Path<R>, S> core::fmt::Debug for Held<'_, '_, R, L, X, 
 impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b, R, L, X, P, S> {
     /// Whether whole runs are held back.
     const HOLDS: bool = S::RUN > 0 && S::RUN <= HELD && matches!(Line::<'static, R, L, X, P, S>::KIND, Kind::Blocks);
-    /// Whether a run's values lie one after another, as they do in an array.
+    /// Whether a run's values lie one after another, as their lists do in an array.
     const DENSE: bool = {
         let member = Line::<'static, R, L, X, P, S>::MEMBER;
         let (seat, spec) = (Map::<R, L, X>::seat(member), R::Elements::MEMBERS[member]);
-        Map::<R, L, X>::stride(member) == size_of::<P::Value>()
-            && spec.components * spec.scalar == size_of::<P::Value>()
+        List::<R, P>::PACKED
+            && Map::<R, L, X>::stride(member) == size_of::<List<R, P>>()
+            && spec.components * spec.scalar == size_of::<List<R, P>>()
             && (!seat.split || spec.components == 1)
     };
     /// The bytes of a whole run's values.
-    const BYTES: usize = S::RUN * size_of::<P::Value>();
+    const BYTES: usize = S::RUN * size_of::<List<R, P>>();
 
     #[inline(always)]
     pub(super) fn new(
         handle: Handle<'a, R, L, X>,
         site: &'static Site,
         run: &Run<'_, S>,
-        buffer: &'b Buffer<P::Value>,
+        buffer: &'b Buffer<List<R, P>>,
     ) -> Self {
         let this = Self { line: Line::new(handle, site, run, [0; MAX_AXES]), buffer };
         if this.holds(run) {
@@ -411,7 +415,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b
                 unsafe { from.copy_to_nonoverlapping(buffer.0.get().cast(), Self::BYTES) };
             } else {
                 for k in 0..S::RUN {
-                    buffer.put(k, this.line.get(&run.cell(k, true)));
+                    buffer.put(k, this.line.get(&run.cell(k, true)).into_elements());
                 }
             }
         }
@@ -432,7 +436,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b
     pub fn get(&self, cell: &Cell<'_, S>) -> P::Value {
         if self.holds(cell.run) {
             // SAFETY: `new` has put all values of a whole run.
-            return unsafe { self.buffer.take(cell.slot) };
+            return P::Value::from_elements(unsafe { self.buffer.take(cell.slot) });
         }
         self.line.get(cell)
     }
@@ -445,7 +449,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b
     #[track_caller]
     pub fn set(&self, cell: &Cell<'_, S>, value: P::Value) {
         if self.holds(cell.run) {
-            self.buffer.put(cell.slot, value);
+            self.buffer.put(cell.slot, value.into_elements());
             return;
         }
         // SAFETY: the cell is a run's element, which one thread visits once, and the macro gives a path that is written
@@ -468,7 +472,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b
         }
         for k in 0..S::RUN {
             // SAFETY: `new` has put all values of a whole run; its elements are this thread's own.
-            unsafe { self.line.set(&run.cell(k, true), self.buffer.take(k)) };
+            unsafe { self.line.set(&run.cell(k, true), P::Value::from_elements(self.buffer.take(k))) };
         }
     }
 }

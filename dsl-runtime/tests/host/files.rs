@@ -470,3 +470,38 @@ fn integers_that_are_no_variant_are_refused() {
     assert!(error.to_string().ends_with("has a value that its type has not: `phases.npy` holds -2 at [2]"), "{error}");
     assert!(loaded.iter().eq(parcels.iter()), "the field stays as it was");
 }
+
+#[derive(RecordTrait, Clone, Copy, Default, Debug, PartialEq)]
+struct Outer {
+    side: u8,
+    inner: Inner,
+}
+
+#[derive(RecordTrait, Clone, Copy, Default, Debug, PartialEq)]
+struct Inner {
+    v: Vec2,
+    flag: bool,
+}
+
+#[test]
+fn each_member_of_an_inner_record_is_an_array() {
+    let (_folder, path) = place();
+    let mut field = Field::<Outer, Soa>::new([3, 4]);
+    (0..12u8).for_each(|n| {
+        let inner = Inner { v: vec2(n.into(), -1.0), flag: n % 3 == 0 };
+        field.set((n / 4, n % 4), Outer { side: n, inner });
+    });
+    field.save(&path).expect("it is saved");
+    let names: Vec<String> = parts(&path).into_iter().map(|(name, _)| name).collect();
+    for name in ["side.npy", "inner.v.npy", "inner.flag.npy"] {
+        assert!(names.iter().any(|known| known == name), "{name} in {names:?}");
+    }
+    let mut back = Field::<Outer, Blocked<2>>::new([3, 4]);
+    back.load(&path).expect("it is read");
+    assert!(back.iter().eq(field.iter()));
+    let mut odd = field.get([2, 1]);
+    odd.inner.v.y = f32::NAN;
+    back.set([2, 1], odd);
+    let found = back.find_nonfinite().expect("a number that is none");
+    assert_eq!((found.member, found.component, found.index), (Some("inner.v"), 1, ivec2(2, 1)));
+}

@@ -14,6 +14,7 @@ mod large;
 mod linear;
 mod loops;
 mod mpm;
+mod nested_records;
 mod order;
 mod panics;
 mod parts;

@@ -6,7 +6,7 @@ mod records;
 use allotrope::__private::byte_offset;
 use allotrope::prelude::*;
 use allotrope::{Axes, Shape};
-use records::{Body, Node, Sample};
+use records::{Body, Node, Outer, Sample};
 
 /// All elements of a shape in row-major order.
 fn elements(shape: &[usize]) -> Vec<Vec<usize>> {
@@ -244,6 +244,19 @@ fn groups_of_members() {
         (Body: dense(i).dense(i, 6).place([split(spins)], [frame, fixed, id, x]));
         (Body: dense(i, 2).dense(i, 3).place([id], [x, split(spins), fixed], [split(frame)]));
     );
+}
+
+#[test]
+fn records_in_records() {
+    check!(of Outer: [[5, 7], [16, 16]];
+        (dense(ij).aos);
+        (dense(ji).soa);
+        (dense(ij).dense(ij, 3).split);
+        (morton(ij, 4).pad(32).aos);
+        (Outer: dense(ij).place([node.v, id], [split(node.m), side, node.flags]));
+        (Outer: dense(ij).dense(ij, 4).place([node.m, side]) + dense(ji).place([id], [node.flags, split(node.v)]));
+    );
+    check_columns::<Outer, layout!(Outer: dense(ij).dense(ji, 3).place([split(node), id], [side])), _>([5, 7]);
 }
 
 #[test]

@@ -102,3 +102,47 @@ impl Sample for Body {
         )
     }
 }
+
+/// A record with a record and an enum in it.
+#[derive(Record, Clone, Copy, Default, Debug, PartialEq)]
+pub(crate) struct Outer {
+    pub(crate) side: Side,
+    pub(crate) node: Node,
+    pub(crate) id: u16,
+}
+
+/// One integer in memory.
+#[derive(Element, Clone, Copy, Default, Debug, PartialEq)]
+pub(crate) enum Side {
+    #[default]
+    Left,
+    Right = 7,
+}
+
+impl Sample for Outer {
+    type Columns = (Vec<Side>, Vec<Vec2>, Vec<f32>, Vec<u8>, Vec<u16>);
+    const MEMBERS: &'static [Member] = &[
+        Member { name: "side", components: 1, bytes: 1 },
+        Member { name: "node.v", components: 2, bytes: 4 },
+        Member { name: "node.m", components: 1, bytes: 4 },
+        Member { name: "node.flags", components: 1, bytes: 1 },
+        Member { name: "id", components: 1, bytes: 2 },
+    ];
+    fn sample(n: usize) -> Self {
+        Self { side: [Side::Left, Side::Right][n % 2], node: Node::sample(n), id: n as u16 + 1 }
+    }
+    fn columns<L: Layout<X>, X: Axes>(field: &Field<Self, L, X>) -> Self::Columns {
+        let members = field.members();
+        let node = members.node;
+        (members.side.to_vec(), node.v.to_vec(), node.m.to_vec(), node.flags.to_vec(), members.id.to_vec())
+    }
+    fn columns_of(records: &[Self]) -> Self::Columns {
+        (
+            column(records, |r| r.side),
+            column(records, |r| r.node.v),
+            column(records, |r| r.node.m),
+            column(records, |r| r.node.flags),
+            column(records, |r| r.id),
+        )
+    }
+}

@@ -188,7 +188,9 @@ impl Launch<'_> {
     /// All elements of a field but a border, in the order of one branch.
     fn branch(&self, branch: &Branch, width: Option<TokenStream>) -> TokenStream {
         let (private, handle) = (private(), handle(&self.kernel.fields[branch.field]));
-        match (branch.path.is_empty(), width) {
+        // A single member is of one branch, which its type tells.
+        let whole = branch.path.is_empty() && !self.kernel.fields[branch.field].storage.is_opaque();
+        match (whole, width) {
             (true, None) => quote!(#private::over(#handle)),
             (true, Some(width)) => quote!(#private::interior(#handle, #width)),
             (false, width) => {
@@ -268,9 +270,7 @@ impl Launch<'_> {
             let handle = handle(&self.kernel.fields[*field]);
             let members = members.iter().map(|(path, group)| {
                 let (tag, op) = (self.tag(*field, path), op(*group));
-                let opaque = path.is_empty() && self.kernel.fields[*field].storage.is_opaque();
-                let member = if opaque { quote!(#handle.member(#tag)) } else { quote!(#tag.index()) };
-                quote!((#member, #private::Op::#op))
+                quote!((#handle.member(#tag), #private::Op::#op))
             });
             quote!(&#handle.target(#slot, &[#(#members),*]))
         });

@@ -50,14 +50,22 @@ pub(super) fn path(field: &FieldParam) -> Ident {
 
 /// The tag of a member, from the expression for the field's tags; `whole` where only the type tells what an index names.
 pub(super) fn tag(field: &FieldParam, tags: &TokenStream, whole: &TokenStream, path: &[Ident]) -> TokenStream {
-    if !path.is_empty() {
-        quote!(#tags #(.#path)*)
+    if let [member, inner @ ..] = path {
+        let inner = then(inner);
+        quote!(#tags.#member #inner)
     } else if field.storage.is_opaque() {
         whole.clone()
     } else {
         let private = private();
         quote!(#private::Whole)
     }
+}
+
+/// The way on from the tag of a member that is a record: `.then(|tags| tags.inner)`.
+fn then(path: &[Ident]) -> Option<TokenStream> {
+    let [member, inner @ ..] = path else { return None };
+    let (tags, inner) = (hidden("tags"), then(inner));
+    Some(quote!(.then(|#tags| #tags.#member #inner)))
 }
 
 /// Where the user's tokens begin and end.

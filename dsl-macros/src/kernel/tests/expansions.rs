@@ -255,7 +255,7 @@ fn scatter(
                             0usize,
                             &[
                                 (
-                                    __field_grid.tags().m.index(),
+                                    __field_grid.member(__field_grid.tags().m),
                                     ::allotrope::__private::Op::Add,
                                 ),
                             ],

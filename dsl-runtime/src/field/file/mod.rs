@@ -16,11 +16,10 @@ use zip::{CompressionMethod, ZipArchive, ZipWriter};
 pub use error::{FileError, FileFault};
 
 use super::Field;
-use super::finite::BARE;
 use super::host::Places;
 use crate::axes::Axes;
 use crate::layout::Layout;
-use crate::record::{ElementList, Record};
+use crate::record::{ElementList, Names, Record};
 
 /// Bytes that are moved at a time.
 const PIECE: usize = 1 << 16;
@@ -191,7 +190,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
 
 /// The name of the array of member `m`.
 fn array_name<R: Record>(m: usize) -> &'static str {
-    if R::NAMES == BARE { "value" } else { R::NAMES[m] }
+    if R::Elements::BARE { "value" } else { Names::<R>::ALL[m] }
 }
 
 /// The name of its file in the archive.

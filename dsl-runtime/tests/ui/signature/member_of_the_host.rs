@@ -9,6 +9,6 @@ struct Node {
 }
 
 #[kernel]
-fn wrong(u: &mut MemberMut<'_, Node, Soa, Ij, 1>) {}
+fn wrong(u: &mut MemberMut<'_, Node, Soa, Ij, ()>) {}
 
 fn main() {}
