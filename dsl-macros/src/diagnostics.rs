@@ -53,8 +53,6 @@ codes! {
     LoopPattern = A0112,
     /// A loop head of the language that is not available yet.
     UnavailableHead = A0113,
-    /// A loop attribute of the language that is not available yet.
-    UnavailableAttribute = A0114,
     /// `#[scatter(..)]` that names no schedule, or not on a parallel loop.
     ScatterAttribute = A0115,
     /// `break`, `return`, `?` or `.await` out of a parallel loop.
@@ -73,6 +71,8 @@ codes! {
     MacroDefinition = A0122,
     /// A member of a `#[func]` that is not taken as `Read<T, _, X>`.
     FuncMember = A0123,
+    /// `#[relaxed]` on a loop that is not parallel.
+    RelaxedPlace = A0124,
     /// A member written at an iteration's own index and read at another.
     InPlaceStencil = A0201,
     /// A member written at an index that several iterations may share.
@@ -115,6 +115,10 @@ codes! {
     Destructuring = A0221,
     /// A `move` closure that accesses fields inside a parallel loop.
     MoveClosure = A0223,
+    /// A member whose old values are taken, and which is used in another way.
+    OldValueBeside = A0224,
+    /// `fetch_add` and its like of a part of an element, or with other arguments.
+    OldValueForm = A0225,
     /// An enum or a union as a record.
     NotAStruct = A0301,
     /// A record whose members have no names.
@@ -169,6 +173,8 @@ codes! {
     TooManyNodes = A0419,
     /// `pad` that is not right before the place, or not by a power of two.
     WrongPad = A0420,
+    /// A branch that names no members, over other axes, or one too many.
+    WrongBranch = A0421,
     /// `%` of a number below zero.
     NegativeRemainder = A0501,
     /// `unroll!` that writes a body out very often.

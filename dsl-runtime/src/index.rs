@@ -13,8 +13,34 @@ pub trait Integer: Copy + Send + Sync + core::fmt::Debug + Sealed + 'static {
     fn narrow(value: i64) -> Self;
 }
 
+/// An integer, or a reference to one.
+#[doc(hidden)]
+pub trait Whole: Copy + Sealed {
+    /// Its value.
+    fn value(self) -> i64;
+}
+
+/// The value of an integer, or of a reference to one.
+#[doc(hidden)]
+#[inline(always)]
+pub fn wide(value: impl Whole) -> i64 {
+    value.value()
+}
+
 macro_rules! integers {
     ($($integer:ty)*) => {$(
+        impl Whole for $integer {
+            #[inline(always)]
+            fn value(self) -> i64 {
+                self.wide()
+            }
+        }
+        impl Whole for &$integer {
+            #[inline(always)]
+            fn value(self) -> i64 {
+                self.wide()
+            }
+        }
         impl Integer for $integer {
             #[inline(always)]
             fn wide(self) -> i64 {

@@ -73,6 +73,7 @@
 //! | `.soa` | for each member, all values of the node |
 //! | `.split` | for each scalar component of each member, all values of the node |
 //! | `.place([v, m], [split(c)])` | groups: each is interleaved, groups follow one another; `split` takes a member apart. Written with its record: `layout!(Node: dense(ij).place(..))`, and its parameters if it has some: [`layout!(Node<X>: ..)`](layout::PlaceGroups) |
+//! | `chain + chain` | branches: members under different nodes, `layout!(Node: dense(ij).place([v]) + dense(ji).dense(j, 8).place([m]))`. Every member stands in one of them, all go over the same axes, and there are four at most. A loop then names the branch by a member: `for ij in grid.m` |
 //!
 //! Named ones, for any axes: [`Aos`](layout::Aos), [`Soa`](layout::Soa), [`Split`](layout::Split), [`AoSoA<N>`](layout::AoSoA) (blocks of `N` along the last
 //! axis, each member by member), [`Blocked<N>`](layout::Blocked) (blocks of `N` along every axis) and [`Morton<N>`](layout::Morton) (the same in
@@ -121,6 +122,7 @@
 //! | loop head | runs over |
 //! | --- | --- |
 //! | `for p in points`, `for ij in grid`, `for (i, j) in grid` | the field's elements, each thread in the order in which they lie in memory. The index is `i32`, `IVec2`, `IVec3` or `IVec4`, or a tuple of `i32` |
+//! | `for ij in grid.m` | the same in the order of the branch in which `m` stands (see [`Both`](layout::Both)); parts of it likewise: `grid.m.interior(1)` |
 //! | `for (i, j) in grid.interior(1)`, `grid.border(1)` | all but a border of that width; the border alone |
 //! | `for (i, j) in grid.checkerboard(0)` | the elements whose coordinates' sum has that parity, 0 or 1 |
 //! | `for (i, j) in grid.colored(2, c)` | those whose coordinates modulo 2 spell `c`, the first axis most significant |
@@ -159,6 +161,7 @@
 //! | reads, writes, accumulates | its own index | own |
 //! | also reads it, under `checkerboard` | its own index plus constants with an odd sum: the other colour | beside |
 //! | only accumulates, with one group of operators: {`+=`, `-=`}, {`*=`}, {`min_assign`}, {`max_assign`}, {`&=`}, {`\|=`}, {`^=`} | any index | accumulate |
+//! | only `fetch_add`, `fetch_sub`, `fetch_min`, `fetch_max`, `fetch_or`, `fetch_and`, `fetch_xor`, `swap`, `compare_exchange`, which return the old value of an integer (the last five of a `bool` too) | any index | together |
 //! | anything else | | a compile error, which names the other access that it clashes with, and the cure |
 //!
 //! An index is a loop's own when each loop variable stands alone in a place of it: `p`, `ij`, `(j, i)`, `(i, 0)`, and `(i, k)` with any `k`. These are refused, among others:
@@ -168,7 +171,7 @@
 //! | `u[i] = u[i - 1]` | whether the neighbour is old or new depends on the threads | read one field and write another ([A0201](errors::A0201)) |
 //! | `b[perm[i]] = a[i]` | several iterations may write one element | a gather, or `+=` ([A0202](errors::A0202)) |
 //! | `m[q] += m[0]` | the value read is a part of a sum | two loops ([A0203](errors::A0203)) |
-//! | `let old = (m[q] += 1)` | the order of the threads | two loops ([A0210](errors::A0210)) |
+//! | `let old = (m[q] += 1)` | a sum may be put off until the loop ends | `m[q].fetch_add(1)` ([A0210](errors::A0210)) |
 //! | `total += 1.0; if total > 9.0 { .. }` | a thread knows only its part of the sum | read it after the loop ([A0217](errors::A0217)) |
 //! | `break`, `return`, `?` | other iterations are on their way | `continue` ([A0116](errors::A0116)) |
 //!
@@ -176,7 +179,9 @@
 //! unrolled stencil around a computed index once, others each time. An index out of range panics with kernel, field, index, shape and
 //! source line, after the other threads have stopped.
 //!
-//! The ways out are written where they are taken: `#[serial]` before a loop; `unsafe { u.get_unchecked(i) }` and `unsafe { u.set_unchecked(i, value) }`,
+//! The ways out are written where they are taken: `#[serial]` before a loop; `#[relaxed]` before a loop in which any order will do: where
+//! iterations meet in an element, each component is read, written or accumulated into in one step, which is defined behaviour, and
+//! `+=` loses nothing, but what is seen depends on the threads, and vectors and records may be seen half changed; `unsafe { u.get_unchecked(i) }` and `unsafe { u.set_unchecked(i, value) }`,
 //! which neither check the index nor ask who else touches the element; and `#[kernel(unchecked)]`, which makes the kernel an `unsafe fn` whose
 //! callers promise that all indices in its parallel loops lie within their fields. With debug assertions they are checked all the same.
 //!
@@ -214,7 +219,7 @@
 //! | `Atomic` | by compare-and-swap on each component |
 //! | `Auto` | the default: one of these, chosen from threads, extents and work |
 //!
-//! With `deterministic` these results too are the same bits for any number of threads; `Atomic` is refused then.
+//! With `deterministic` these results too are the same bits for any number of threads; `Atomic`, `#[relaxed]` and what returns old values are refused then.
 //!
 //! A schedule has no switch that flushes denormal numbers to zero: Rust takes the processor's floating-point mode to be the default one, so that
 //! changing it around Rust code is undefined behaviour even where it is put back. [`Real::flushed`] does it where it is called.
@@ -226,8 +231,7 @@
 //!
 //! # Not available yet
 //!
-//! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`); indices below zero (`with_origin`); nested records; `#[relaxed]`
-//! and atomics that return the old value.
+//! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`); indices below zero (`with_origin`); nested records.
 //! Where one of these words is used, the error says so.
 
 // Expansions name this crate from outside; inside (tests, examples in docs) it is the same name.
@@ -240,6 +244,7 @@ mod capture;
 mod element;
 mod enumeration;
 pub mod errors;
+mod exchange;
 mod field;
 mod index;
 mod launch;

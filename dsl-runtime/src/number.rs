@@ -2,13 +2,23 @@
 
 use crate::element::{Element, Scalar, Sealed};
 
+/// A scalar that can be changed in one atomic step.
+#[doc(hidden)]
+pub trait Updated: Scalar {
+    /// Replaces the value at `at` by `change` of it, in one atomic step.
+    ///
+    /// # Safety
+    /// `at` is valid, aligned, and touched by nothing but atomic operations meanwhile.
+    unsafe fn update(at: *mut Self, change: impl Fn(Self) -> Self);
+}
+
 /// A scalar that can be accumulated. Integers wrap around; NaN never wins a minimum or maximum.
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be accumulated: it has no sum",
-    note = "numbers and vectors and matrices of numbers can; `bool` cannot"
+    note = "numbers and vectors and matrices of numbers can; `bool` takes `|=`, `&=` and `^=`"
 )]
-pub trait Number: Scalar {
+pub trait Number: Updated {
     /// What adding changes nothing, bit for bit.
     const EMPTY_SUM: Self;
     /// What multiplying changes nothing.
@@ -29,17 +39,16 @@ pub trait Number: Scalar {
     fn least(self, other: Self) -> Self;
     /// The larger.
     fn greatest(self, other: Self) -> Self;
-    /// Replaces the value at `at` by `change` of it, in one atomic step.
-    ///
-    /// # Safety
-    /// `at` is valid, aligned, and touched by nothing but atomic operations meanwhile.
-    unsafe fn update(at: *mut Self, change: impl Fn(Self) -> Self);
 }
 
-/// An integer scalar.
+/// A scalar of bits: an integer or a `bool`.
 #[doc(hidden)]
-#[diagnostic::on_unimplemented(message = "`{Self}` has no bits to combine: `|=`, `&=` and `^=` are for integers")]
-pub trait Bits: Number {
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no bits to combine: `|=`, `&=` and `^=` are for integers and `bool`"
+)]
+pub trait Bits: Updated {
+    /// No bit set.
+    const NONE: Self;
     /// All bits set.
     const ALL: Self;
     /// The bits set in either.
@@ -52,18 +61,20 @@ pub trait Bits: Number {
 
 macro_rules! update {
     ($scalar:ty, $atomic:ident, |$value:ident| $to:expr, |$bits:ident| $from:expr) => {
-        #[inline(always)]
-        unsafe fn update(at: *mut Self, change: impl Fn(Self) -> Self) {
-            use core::sync::atomic::{Ordering::Relaxed, $atomic};
-            // SAFETY: as the caller promises; the scalar and the atomic have the same size.
-            let cell = unsafe { $atomic::from_ptr(at.cast()) };
-            let mut old = cell.load(Relaxed);
-            loop {
-                let $bits = old;
-                let $value: $scalar = change($from);
-                match cell.compare_exchange_weak(old, $to, Relaxed, Relaxed) {
-                    Ok(_) => return,
-                    Err(now) => old = now,
+        impl Updated for $scalar {
+            #[inline(always)]
+            unsafe fn update(at: *mut Self, change: impl Fn(Self) -> Self) {
+                use core::sync::atomic::{Ordering::Relaxed, $atomic};
+                // SAFETY: as the caller promises; the scalar and the atomic have the same size.
+                let cell = unsafe { $atomic::from_ptr(at.cast()) };
+                let mut old = cell.load(Relaxed);
+                loop {
+                    let $bits = old;
+                    let $value: $scalar = change($from);
+                    match cell.compare_exchange_weak(old, $to, Relaxed, Relaxed) {
+                        Ok(_) => return,
+                        Err(now) => old = now,
+                    }
                 }
             }
         }
@@ -101,14 +112,14 @@ macro_rules! floats {
             fn greatest(self, other: Self) -> Self {
                 <$scalar>::max(self, other)
             }
-            update!($scalar, $atomic, |value| value.to_bits(), |bits| <$scalar>::from_bits(bits));
         }
+        update!($scalar, $atomic, |value| value.to_bits(), |bits| <$scalar>::from_bits(bits));
     )*};
 }
 floats!(f32, AtomicU32; f64, AtomicU64;);
 
 macro_rules! integers {
-    ($($scalar:ty, $atomic:ident;)*) => {$(
+    ($($scalar:ty;)*) => {$(
         impl Number for $scalar {
             const EMPTY_SUM: Self = 0;
             const EMPTY_PRODUCT: Self = 1;
@@ -138,10 +149,16 @@ macro_rules! integers {
             fn greatest(self, other: Self) -> Self {
                 Ord::max(self, other)
             }
-            update!($scalar, $atomic, |value| value, |bits| bits);
         }
+    )*};
+}
+integers!(i8; i16; i32; i64; u8; u16; u32; u64;);
+
+macro_rules! bits {
+    ($($scalar:ty, $none:literal, $atomic:ident;)*) => {$(
         impl Bits for $scalar {
-            const ALL: Self = !0;
+            const NONE: Self = $none;
+            const ALL: Self = !$none;
             #[inline(always)]
             fn either(self, other: Self) -> Self {
                 self | other
@@ -155,11 +172,12 @@ macro_rules! integers {
                 self ^ other
             }
         }
+        update!($scalar, $atomic, |value| value, |bits| bits);
     )*};
 }
-integers! {
-    i8, AtomicI8; i16, AtomicI16; i32, AtomicI32; i64, AtomicI64;
-    u8, AtomicU8; u16, AtomicU16; u32, AtomicU32; u64, AtomicU64;
+bits! {
+    i8, 0, AtomicI8; i16, 0, AtomicI16; i32, 0, AtomicI32; i64, 0, AtomicI64;
+    u8, 0, AtomicU8; u16, 0, AtomicU16; u32, 0, AtomicU32; u64, 0, AtomicU64; bool, false, AtomicBool;
 }
 
 /// An associative and commutative operator on scalars, with its identity.
@@ -193,8 +211,8 @@ operators! {
     Min: Number, HIGHEST, least, "`min_assign`.";
     Max: Number, LOWEST, greatest, "`max_assign`.";
     BitAnd: Bits, ALL, both, "`&=`.";
-    BitOr: Bits, EMPTY_SUM, either, "`|=`.";
-    BitXor: Bits, EMPTY_SUM, one, "`^=`.";
+    BitOr: Bits, NONE, either, "`|=`.";
+    BitXor: Bits, NONE, one, "`^=`.";
 }
 
 /// An operator that leaves alone what the identity is applied to: `min` would take the highest number for NaN.

@@ -1,17 +1,21 @@
 //! What the macros' expansions call. Nothing here is for users: it changes with the macros, whose version is locked.
 
 pub use crate::enumeration::Code;
+pub use crate::exchange::{
+    compare_exchange, fetch_add, fetch_and, fetch_max, fetch_min, fetch_or, fetch_sub, fetch_xor, swap,
+};
+pub use crate::index::wide;
 pub use crate::launch::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, sifted};
 pub use crate::launch::{
-    Cell, Options, Outs, Partial, Reduction, Run, Space, Strip, Task, interior, launch, launch_own, over, range,
-    reduction,
+    Cell, Options, Outs, Partial, Reduction, Run, Space, Strip, Task, interior, launch, launch_own, of_branch, over,
+    range, reduction,
 };
 pub use crate::number::{BitAnd, BitOr, BitXor, ComponentMul, Max, Min, Product, Sum};
 pub use crate::record::{At, ElementList, MemberMuts, MemberRefs, MemberSpec, Path, Tag, Whole};
 pub use crate::scatter::{Op, Scattered, Target};
 pub use crate::view::{
-    Accumulate, Based, Beside, Buffer, Free, Held, Own, OwnFree, Read, Row, Site, Var, View, assert_packed, buffer,
-    exclusive, negative, shared,
+    Accumulate, Based, Beside, Boxed, Buffer, Free, Held, Linear, Own, OwnFree, Read, Row, Site, Together, Var, View,
+    assert_packed, buffer, exclusive, negative, shared,
 };
 
 pub use crate::capture::{Hold, Lend, Wrap, assert_shared};

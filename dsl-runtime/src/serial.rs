@@ -224,7 +224,7 @@ where
 
 /// All coordinates of a box in the order of a field's memory, blocks aside: the last axis of the root fastest.
 fn walk<L: Layout<X>, X: Axes>(shape: [u32; MAX_AXES], border: u32) -> impl Iterator<Item = [i32; MAX_AXES]> {
-    let (named, count) = crate::layout::order::<X>(L::ROOT);
+    let (named, count) = crate::layout::order::<X>(L::CHAIN.root);
     let mut axes: Vec<usize> = (0..X::RANK).filter(|a| !named[..count].contains(a)).collect();
     axes.extend_from_slice(&named[..count]);
     let first = |a: usize| border.min(shape[a]);

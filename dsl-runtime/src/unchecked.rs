@@ -59,4 +59,11 @@ impl<T: Places> Places for Promised<T> {
     fn coordinates<S: Space>(self, cell: &Cell<'_, S>) -> [i64; MAX_AXES] {
         self.0.coordinates(cell)
     }
+    fn extremes(self, first: &[i64; MAX_AXES], end: &[i64; MAX_AXES]) -> [(i64, i64); MAX_AXES] {
+        self.0.extremes(first, end)
+    }
+    #[inline(always)]
+    fn holds(self) -> bool {
+        self.0.holds()
+    }
 }

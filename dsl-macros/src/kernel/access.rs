@@ -1,10 +1,10 @@
 //! The analysis of one parallel loop: which accesses clash, and what view each gets.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use syn::Ident;
 
-use super::model::{Access, Action, Boundary, Group, Kernel, Op, Place, Slot};
+use super::model::{Access, Action, Boundary, Group, Kernel, Linear, Op, Place, Slot};
 
 /// What an access means for others.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -13,6 +13,8 @@ pub(crate) enum Use {
     Write,
     /// A compound assignment, with the group that it accumulates in.
     Update(Op, Option<Group>),
+    /// A change that returns the old value.
+    Exchange,
 }
 
 impl Access {
@@ -22,6 +24,7 @@ impl Access {
             Action::Read => Use::Read,
             Action::Write { .. } => Use::Write,
             Action::Update { op, .. } => Use::Update(*op, op.group()),
+            Action::Exchange { .. } => Use::Exchange,
         }
     }
 
@@ -52,6 +55,12 @@ impl Access {
     fn overlaps(&self, other: &Access) -> bool {
         let shorter = self.path.len().min(other.path.len());
         self.field == other.field && self.path[..shorter] == other.path[..shorter]
+    }
+
+    /// Whether two iterations could meet in one element by these accesses, or by one of them twice, and one changes it.
+    fn meets(&self, other: &Access) -> bool {
+        let apart = self.is_own() && other.is_own() && (std::ptr::eq(self, other) || !self.places_differ(other));
+        self.overlaps(other) && (self.changes() || other.changes()) && !apart
     }
 
     /// Whether some loop variable stands in no common place of two own indices.
@@ -104,10 +113,66 @@ pub(crate) enum Why {
     Groups,
     /// Own indices with the variables in different places.
     Places,
+    /// An old value that is taken, beside a use of another kind.
+    OldValue,
+    /// The same with an operator that is not one step, where iterations may meet.
+    RelaxedOperator,
 }
 
 /// The clashes of a loop: for each field and reason, the first of each pair of kinds.
 pub(crate) fn clashes(kernel: &Kernel, number: usize) -> Vec<Clash> {
+    let mut found =
+        if kernel.loops[number].relaxed { relaxed_clashes(kernel, number) } else { all_clashes(kernel, number) };
+    // One error for each member and reason: the others are the same fault.
+    let mut seen: Vec<(usize, &[Ident], Why)> = Vec::new();
+    found.retain(|clash| {
+        let access = kernel.access(clash.access);
+        let key = (access.field, access.path.as_slice(), clash.why);
+        let distinct = matches!(clash.why, Why::Scatter | Why::OperatorScatter | Why::RelaxedOperator);
+        let new = distinct || !seen.contains(&key);
+        seen.push(key);
+        new
+    });
+    found
+}
+
+/// What clashes where iterations may meet: accesses that are not one step for each component.
+fn relaxed_clashes(kernel: &Kernel, number: usize) -> Vec<Clash> {
+    let shared = shared(kernel, number);
+    let other = |node: usize| {
+        let met = |other: &&usize| kernel.access(node).meets(kernel.access(**other));
+        shared.iter().find(met).copied().unwrap_or(node)
+    };
+    let why = |node: &usize| match kernel.access(*node) {
+        access if access.is_lent() => Some(Why::Stencil),
+        access => match access.usage() {
+            Use::Update(_, None) => Some(Why::RelaxedOperator),
+            _ => None,
+        },
+    };
+    shared.iter().filter_map(|node| why(node).map(|why| Clash { access: *node, other: other(*node), why })).collect()
+}
+
+/// The accesses of a relaxed loop by which iterations may meet in elements.
+fn shared(kernel: &Kernel, number: usize) -> BTreeSet<usize> {
+    let mut shared: BTreeSet<usize> =
+        all_clashes(kernel, number).iter().flat_map(|clash| [clash.access, clash.other]).collect();
+    // Whatever meets one of them must be as careful.
+    loop {
+        let known = shared.len();
+        for &node in &kernel.loops[number].accesses {
+            if shared.iter().any(|other| kernel.access(node).meets(kernel.access(*other))) {
+                shared.insert(node);
+            }
+        }
+        if shared.len() == known {
+            return shared;
+        }
+    }
+}
+
+/// Every pair of accesses that must not stand in one parallel loop.
+fn all_clashes(kernel: &Kernel, number: usize) -> Vec<Clash> {
     let accesses = &kernel.loops[number].accesses;
     let mut found: Vec<Clash> = Vec::new();
     for (place, &b) in accesses.iter().enumerate() {
@@ -124,16 +189,6 @@ pub(crate) fn clashes(kernel: &Kernel, number: usize) -> Vec<Clash> {
             }
         }
     }
-    // One error for each member and reason: the others are the same fault.
-    let mut seen: Vec<(usize, &[Ident], Why)> = Vec::new();
-    found.retain(|clash| {
-        let access = kernel.access(clash.access);
-        let key = (access.field, access.path.as_slice(), clash.why);
-        let distinct = matches!(clash.why, Why::Scatter | Why::OperatorScatter);
-        let new = distinct || !seen.contains(&key);
-        seen.push(key);
-        new
-    });
     found
 }
 
@@ -146,7 +201,7 @@ fn alone(access: &Access) -> Option<Why> {
         Action::Read => None,
         Action::Write { .. } => Some(Why::Scatter),
         Action::Update { op, .. } if op.group().is_none() => Some(Why::OperatorScatter),
-        Action::Update { .. } => None,
+        Action::Update { .. } | Action::Exchange { .. } => None,
     }
 }
 
@@ -161,6 +216,12 @@ fn pair(kernel: &Kernel, number: usize, first: usize, second: usize) -> Option<(
     }
     if let (Some(x), Some(y)) = (a.accumulates(), b.accumulates()) {
         return (x != y).then_some((second, first, Why::Groups));
+    }
+    match (a.usage(), b.usage()) {
+        (Use::Exchange, Use::Exchange) => return None,
+        (Use::Exchange, _) => return Some((second, first, Why::OldValue)),
+        (_, Use::Exchange) => return Some((first, second, Why::OldValue)),
+        _ => {}
     }
     // One of the two is at a foreign index, and both are not accumulations.
     let (foreign, other) = if a.is_own() || (!b.is_own() && a.changes()) { (second, first) } else { (first, second) };
@@ -228,6 +289,17 @@ pub(crate) enum View {
     Beside(Vec<i32>),
     /// Accumulate at any index.
     Accumulate,
+    /// Any index, where iterations may meet: one step a component.
+    Together,
+    /// The same, to accumulate.
+    AccumulateTogether,
+}
+
+impl View {
+    /// Whether iterations may meet in one element.
+    pub(crate) fn is_together(&self) -> bool {
+        matches!(self, View::Together | View::AccumulateTogether)
+    }
 }
 
 /// A view of a member.
@@ -256,6 +328,10 @@ pub(crate) struct Plan {
     pub(crate) overlapping: Vec<usize>,
     /// The offsets to check once a launch.
     pub(crate) reach: Reach,
+    /// The multiples of the loop's variables to check once a launch, and their fields.
+    pub(crate) boxes: Vec<(usize, Vec<Linear>)>,
+    /// The box of each access that has one, by node.
+    pub(crate) box_of: BTreeMap<usize, usize>,
     /// The largest offset along each axis.
     pub(crate) halo: Option<Vec<i32>>,
     /// The fields accumulated into, in the order of their slots, with their members.
@@ -275,6 +351,8 @@ pub(crate) fn plan(kernel: &Kernel, number: usize) -> Plan {
         light: !parallel.loops,
         overlapping: Vec::new(),
         reach: BTreeMap::new(),
+        boxes: Vec::new(),
+        box_of: BTreeMap::new(),
         halo: parallel.rank.map(|rank| vec![0; rank]),
         targets: Vec::new(),
     };
@@ -288,11 +366,20 @@ pub(crate) fn plan(kernel: &Kernel, number: usize) -> Plan {
     if let Some(field) = parallel.head.field() {
         plan.fields.entry(field).or_default();
     }
+    let shared = if parallel.relaxed { shared(kernel, number) } else { BTreeSet::new() };
     for &node in &parallel.accesses {
         let access = kernel.access(node);
         *plan.fields.entry(access.field).or_default() |= access.changes();
-        let view = view(kernel, number, access);
+        let view = match access.usage() {
+            Use::Update(..) if shared.contains(&node) => View::AccumulateTogether,
+            Use::Exchange => View::Together,
+            _ if shared.contains(&node) => View::Together,
+            _ => view(kernel, number, access),
+        };
         plan.note_reach(parallel.head.field(), parallel.rank, access, &view);
+        if matches!(view, View::Any | View::OwnFree) && !parallel.jumps && !kernel.unchecked {
+            plan.note_box(kernel.fields[access.field].rank, node, access);
+        }
         plan.light &= matches!(view, View::Own | View::Row(_));
         if view == View::Accumulate {
             plan.note_target(access);
@@ -352,6 +439,20 @@ impl Plan {
         let (low, high) = self.reach.entry(access.field).or_insert_with(|| (offset.clone(), offset.clone()));
         low.iter_mut().zip(&offset).for_each(|(low, offset)| *low = (*low).min(*offset));
         high.iter_mut().zip(&offset).for_each(|(high, offset)| *high = (*high).max(*offset));
+    }
+
+    /// An index that is checked once a launch.
+    fn note_box(&mut self, rank: Option<usize>, node: usize, access: &Access) {
+        let Some(places) = access.linear.as_ref().filter(|places| !places.is_empty() && rank == Some(places.len()))
+        else {
+            return;
+        };
+        let same = |known: &(usize, Vec<Linear>)| known.0 == access.field && known.1 == *places;
+        let number = self.boxes.iter().position(same).unwrap_or_else(|| {
+            self.boxes.push((access.field, places.clone()));
+            self.boxes.len() - 1
+        });
+        self.box_of.insert(node, number);
     }
 
     fn note_target(&mut self, access: &Access) {

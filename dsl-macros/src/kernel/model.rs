@@ -140,6 +140,8 @@ pub(crate) struct Access {
     pub(crate) place: Place,
     /// What is done there.
     pub(crate) action: Action,
+    /// The index as multiples of the loop's variables, where it is that and every iteration comes by.
+    pub(crate) linear: Option<Vec<Linear>>,
     /// What a read means where the index lies outside of the field.
     pub(crate) boundary: Boundary,
     /// The parallel loop around it.
@@ -148,6 +150,24 @@ pub(crate) struct Access {
     pub(crate) spot: Spot,
     /// `field.path[index]` alone.
     pub(crate) target: Spot,
+}
+
+/// One place of an index: `factor * variable + offset`, and a name that is added or subtracted.
+#[derive(Clone, PartialEq, Eq)]
+pub(crate) struct Linear {
+    /// The loop variable, and what it is multiplied by.
+    pub(crate) variable: Option<(usize, i32)>,
+    pub(crate) offset: i32,
+    pub(crate) name: Option<Added>,
+}
+
+/// A name that is added in a place of an index.
+#[derive(Clone, PartialEq, Eq)]
+pub(crate) struct Added {
+    pub(crate) name: Ident,
+    pub(crate) subtracted: bool,
+    /// The half-open range of an unrolled loop's variable; none for a variable from outside of the parallel loop.
+    pub(crate) range: Option<(i32, i32)>,
 }
 
 /// What a read at an index outside of the field means.
@@ -198,6 +218,11 @@ pub(crate) enum Action {
         part: Vec<Projection>,
         op: Op,
         value: Expr,
+    },
+    /// `.fetch_add(value)` and its like: changes the element and returns what was there, in one step.
+    Exchange {
+        method: Ident,
+        arguments: Vec<Expr>,
     },
 }
 
@@ -281,6 +306,8 @@ pub(crate) struct Loop {
     pub(crate) rank: Option<usize>,
     /// The schedule from `#[scatter(..)]`.
     pub(crate) scatter: Option<Ident>,
+    /// Whether iterations may meet in elements: `#[relaxed]`.
+    pub(crate) relaxed: bool,
     /// Attributes that are Rust's.
     pub(crate) attributes: Vec<syn::Attribute>,
     pub(crate) body: Block,
@@ -300,6 +327,8 @@ pub(crate) struct Loop {
     pub(crate) inner: Vec<InnerLoop>,
     /// Whether there is any inner loop.
     pub(crate) loops: bool,
+    /// Whether anything jumps, so that iterations may pass by accesses.
+    pub(crate) jumps: bool,
     /// Whether a `continue` of this loop occurs.
     pub(crate) continues: bool,
     /// Fields used only through `len`, `shape` or an inner loop's head.
@@ -315,10 +344,10 @@ pub(crate) struct InnerLoop {
 
 /// What a loop runs over.
 pub(crate) enum Head {
-    /// `for p in f`.
-    Field(usize),
+    /// `for p in f`, or `for p in f.m` for the branch of a member.
+    Field(Branch),
     /// `for p in f.interior(width)`.
-    Interior { field: usize, width: Box<Expr> },
+    Interior { branch: Branch, width: Box<Expr> },
     /// Those elements of a head over a field that a sieve lets through.
     Sifted { base: Box<Head>, sieve: Sieve },
     /// `for i in a..b`, or several ranges in `ndrange!`.
@@ -331,7 +360,7 @@ impl Head {
     /// The field that the loop runs over.
     pub(crate) fn field(&self) -> Option<usize> {
         match self {
-            Head::Field(field) | Head::Interior { field, .. } => Some(*field),
+            Head::Field(branch) | Head::Interior { branch, .. } => Some(branch.field),
             Head::Sifted { base, .. } => base.field(),
             Head::Ranges(_) | Head::Invalid => None,
         }
@@ -345,6 +374,11 @@ impl Head {
         }
     }
 
+    /// Whether it is over some of the elements of another head.
+    pub(crate) fn is_sifted(&self) -> bool {
+        matches!(self, Head::Sifted { .. })
+    }
+
     /// The border that it leaves out.
     pub(crate) fn left_out(&self) -> Option<&Expr> {
         match self {
@@ -353,6 +387,12 @@ impl Head {
             Head::Field(_) | Head::Ranges(_) | Head::Invalid => None,
         }
     }
+}
+
+/// A field, and a member of the branch of its layout whose elements are visited.
+pub(crate) struct Branch {
+    pub(crate) field: usize,
+    pub(crate) path: Vec<Ident>,
 }
 
 /// Which elements of a head are visited.
@@ -496,8 +536,8 @@ pub(crate) enum What {
     OutermostUnroll,
     /// A pattern of a parallel loop that is no name or tuple of names.
     Pattern,
-    /// An attribute that is not available yet.
-    LaterAttribute { name: String },
+    /// `#[relaxed]` on a loop that is not parallel.
+    RelaxedPlace,
     /// `#[scatter(..)]` with something else inside.
     ScatterName { found: String },
     /// `#[scatter(..)]` on a loop that is not parallel.
@@ -526,8 +566,8 @@ pub(crate) enum What {
     FieldMethod { field: usize, name: String, later: bool },
     /// `f.clamped`, `f.wrapped` or `f.or` with more or fewer arguments than it takes.
     BoundaryArguments { field: String, name: String },
-    /// A method of an element that is not available yet.
-    ElementMethod { name: String },
+    /// `fetch_add` and its like of a component, or with more or fewer arguments than it takes.
+    Exchange { name: String, takes: usize, part: bool },
     /// The value of an assignment to an element.
     AssignmentValue { text: String, accumulates: bool },
     /// A destructuring assignment to elements.

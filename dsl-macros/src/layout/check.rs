@@ -3,8 +3,8 @@
 use syn::Ident;
 
 use super::model::{
-    AXES, Axis, AxisList, Branch, Group, LONGEST_NAME, Layout, MOST_NODES, NAMED, Node, Pad, Place, PlaceKind, Placed,
-    Size, Sizes, Step, WIDEST_PAD, WORDS,
+    AXES, Axis, AxisList, Branch, Group, LONGEST_NAME, Layout, MOST_BRANCHES, MOST_NODES, NAMED, Node, Pad, Place,
+    PlaceKind, Placed, Size, Sizes, Step, WIDEST_PAD, WORDS,
 };
 use crate::diagnostics::{Code, Diagnostics};
 use crate::nearest::nearest;
@@ -14,11 +14,7 @@ const TOO_LARGE: u128 = 1 << 31;
 
 /// Reports all that is wrong with a layout.
 pub(super) fn check(layout: &Layout, errors: &mut Diagnostics) {
-    if let Some(plus) = layout.branches.iter().find_map(|branch| branch.plus) {
-        errors
-            .error(Code::LaterNode, &plus, "members under different nodes (`+`) are not available in this version")
-            .help("make a field for each group of members");
-    }
+    check_branches(layout, errors);
     for branch in &layout.branches {
         check_words(branch, errors);
         check_order(branch, errors);
@@ -26,6 +22,58 @@ pub(super) fn check(layout: &Layout, errors: &mut Diagnostics) {
         check_depth(branch, errors);
     }
     check_members(layout, errors);
+}
+
+/// Branches name their members, and go over the same axes.
+fn check_branches(layout: &Layout, errors: &mut Diagnostics) {
+    if let Some(plus) = layout.branches.get(MOST_BRANCHES).and_then(|branch| branch.plus) {
+        let count = layout.branches.len();
+        errors
+            .error(
+                Code::WrongBranch,
+                &plus,
+                format!("the layout has {count} branches, and can have {MOST_BRANCHES} at most"),
+            )
+            .help("put members that are used together in one branch, in groups of their own");
+    }
+    if layout.branches.len() < 2 {
+        return;
+    }
+    for step in layout.branches.iter().flat_map(|branch| &branch.steps) {
+        if let Step::Place(Place { name, kind: PlaceKind::Aos | PlaceKind::Soa | PlaceKind::Split, .. }) = step {
+            errors
+                .error(Code::WrongBranch, name, format!("`{name}` does not say which members this branch holds"))
+                .note("each member of a record stands in one branch of a layout with `+`")
+                .help("name them: `.place([v], [m])`, and their record before the first node");
+        }
+    }
+    let axes = |branch: &Branch| -> Option<Vec<Axis>> {
+        let mut axes = Vec::new();
+        for step in &branch.steps {
+            match step {
+                Step::Node(Node { axes: Some(list), .. }) if list.unknown.is_empty() => axes.extend(&list.axes),
+                Step::Place(_) | Step::Pad(_) => {}
+                _ => return None,
+            }
+        }
+        axes.sort_unstable();
+        axes.dedup();
+        Some(axes)
+    };
+    let letters = |axes: &[Axis]| axes.iter().map(|axis| axis.letter()).collect::<String>();
+    let Some(first) = axes(&layout.branches[0]) else { return };
+    for branch in &layout.branches[1..] {
+        let (Some(axes), Some(root)) = (axes(branch), branch.steps.first()) else { continue };
+        if axes != first {
+            errors
+                .error(
+                    Code::WrongBranch,
+                    root.name(),
+                    format!("this branch goes over `{}`, and the first over `{}`", letters(&axes), letters(&first)),
+                )
+                .help("all members of a field have the same axes: name the same in every branch, in any order");
+        }
+    }
 }
 
 /// Nodes first, then one place.

@@ -6,17 +6,28 @@ use syn::Path;
 use syn::ext::IdentExt;
 
 use super::model::{
-    AXES, Axis, AxisList, Group, LONGEST_NAME, Layout, Node, Pad, Place, PlaceKind, Placed, Size, Step,
+    AXES, Axis, AxisList, Branch, LONGEST_NAME, Layout, Node, Pad, Place, PlaceKind, Placed, Size, Step,
 };
 
 /// The type of a layout that has passed every check.
 pub(super) fn expand(layout: &Layout) -> TokenStream {
-    let steps = layout.branches.iter().flat_map(|branch| &branch.steps);
+    // A check of all members stands at the first one that is placed.
+    // What a check in a constant cannot say of a record that takes types, the library says when the field is compiled.
+    let record = layout.record.as_ref().filter(|record| !takes_types(record));
+    let mut check = record.map(|record| members_check(layout, record));
+    let branches: Vec<TokenStream> =
+        layout.branches.iter().map(|branch| expand_branch(layout, branch, &mut check)).collect();
+    let both = |rest: TokenStream, first: &TokenStream| quote!(::allotrope::layout::Both<#first, #rest>);
+    let (last, others) = branches.split_last().expect("a layout has a branch");
+    others.iter().rev().fold(last.clone(), both)
+}
+
+fn expand_branch(layout: &Layout, branch: &Branch, check: &mut Option<TokenStream>) -> TokenStream {
     let mut root = None;
     let mut nodes = Vec::new();
     let mut inner = TokenStream::new();
     let mut pad = None;
-    for step in steps {
+    for step in &branch.steps {
         match step {
             Step::Node(node) => {
                 // The outermost node takes as many cells as the shape needs; a size given there groups them.
@@ -25,7 +36,7 @@ pub(super) fn expand(layout: &Layout) -> TokenStream {
                     nodes.push(node);
                 }
             }
-            Step::Place(found) => inner = place(found, layout.record.as_ref()),
+            Step::Place(found) => inner = place(found, layout, check),
             Step::Pad(found) => pad = Some(found),
             Step::Later(_) | Step::Unknown(_) => {}
         }
@@ -84,16 +95,15 @@ fn takes_types(record: &Path) -> bool {
     record.segments.iter().any(|segment| !segment.arguments.is_none())
 }
 
-fn place(place: &Place, record: Option<&Path>) -> TokenStream {
-    match (&place.kind, record) {
+fn place(place: &Place, layout: &Layout, check: &mut Option<TokenStream>) -> TokenStream {
+    match (&place.kind, &layout.record) {
         (PlaceKind::Groups(groups), Some(record)) => {
-            // What a check in a constant cannot say of a record that takes types, the library says when the field is compiled.
-            let mut check = (!takes_types(record)).then(|| members_check(groups, record));
+            let kind = if layout.branches.len() > 1 { quote!(PlaceSome) } else { quote!(PlaceGroups) };
             let groups = groups.iter().map(|group| {
                 let members = group.members.iter().map(|member| placed(member, check.take()));
                 quote!((#(#members,)*))
             });
-            quote!(::allotrope::layout::PlaceGroups<#record, (#(#groups,)*)>)
+            quote!(::allotrope::layout::#kind<#record, (#(#groups,)*)>)
         }
         (PlaceKind::Aos | PlaceKind::Groups(_), _) => quote!(::allotrope::layout::PlaceAos),
         (PlaceKind::Soa, _) => quote!(::allotrope::layout::PlaceSoa),
@@ -122,8 +132,13 @@ fn placed(member: &Placed, check: Option<TokenStream>) -> TokenStream {
 
 /// A function that would build the record from the names placed, so that a member unknown or left out is an error at the
 /// user's tokens. It is never called.
-fn members_check(groups: &[Group], record: &Path) -> TokenStream {
-    let names = groups.iter().flat_map(|group| &group.members).map(|member| &member.name);
+fn members_check(layout: &Layout, record: &Path) -> TokenStream {
+    let steps = layout.branches.iter().flat_map(|branch| &branch.steps);
+    let groups = steps.filter_map(|step| match step {
+        Step::Place(Place { kind: PlaceKind::Groups(groups), .. }) => Some(groups),
+        _ => None,
+    });
+    let names = groups.flatten().flat_map(|group| &group.members).map(|member| &member.name);
     quote! {
         #[allow(dead_code)]
         fn every_member_is_placed() {

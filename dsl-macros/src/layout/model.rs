@@ -162,6 +162,9 @@ pub(super) const WIDEST_PAD: u128 = 4096;
 /// The most nodes of constant size that a layout may have.
 pub(super) const MOST_NODES: usize = 6;
 
+/// The most branches that a layout may have.
+pub(super) const MOST_BRANCHES: usize = 4;
+
 /// The most bytes that a placed member's name may have.
 pub(super) const LONGEST_NAME: usize = 32;
 

@@ -156,7 +156,7 @@ fn words() {
     assert_eq!(codes(quote!(pointer(ij, 16).dense(ij, 8).aos)), [Code::LaterNode]);
     assert_eq!(codes(quote!(hash(ijk).bitmasked(ijk, 8).pad(64).soa)), [Code::LaterNode; 2]);
     assert_eq!(codes(quote!(dense(i).dynamic(j, 1024, chunk = 32).aos)), [Code::LaterNode]);
-    assert_eq!(codes(quote!(Node: dense(ij).place([v]) + hash(ij).place([m]))), [Code::LaterNode; 2]);
+    assert_eq!(codes(quote!(Node: dense(ij).place([v]) + hash(ij).place([m]))), [Code::LaterNode]);
 }
 
 #[test]
@@ -231,6 +231,23 @@ fn nothing_makes_the_macro_panic() {
             super::expand(quote!(a::Node: #tokens + #tokens));
         }
     }
+}
+
+#[test]
+fn branches() {
+    let two = short(quote!(Node: dense(ij).place([v]) + dense(ji).dense(i, 4).place([m])));
+    assert!(two.starts_with("Both<Tree<0x12,PlaceSome<Node,"), "{two}");
+    assert!(two.contains("Tree<0x21,Dense<0x1,4,1,1,1,PlaceSome<Node,"), "{two}");
+    let three = short(quote!(R: dense(i).place([a]) + dense(i).place([b]) + dense(i).place([c])));
+    assert_eq!(three.matches("Both<Tree<").count(), 2);
+    assert_eq!(codes(quote!(Node: dense(ij).place([v]) + dense(ij).aos)), [Code::WrongBranch]);
+    assert_eq!(codes(quote!(dense(ij).aos + dense(ij, 8).soa)), [Code::WrongBranch; 2]);
+    assert_eq!(codes(quote!(Node: dense(ij).place([v]) + dense(i).place([m]))), [Code::WrongBranch]);
+    assert_eq!(codes(quote!(Node: dense(ij).place([v]) + dense(i).dense(j, 3).place([m]))), []);
+    assert_eq!(codes(quote!(Node: dense(ij).place([v]) + dense(ij).place([m], [v]))), [Code::PlacedTwice]);
+    assert_eq!(codes(quote!(dense(ij).place([v]) + dense(ij).place([m]))), [Code::NoRecord]);
+    let five = quote!(R: dense(i).place([a]) + dense(i).place([b]) + dense(i).place([c]) + dense(i).place([d]) + dense(i).place([e]));
+    assert_eq!(codes(five), [Code::WrongBranch]);
 }
 
 #[test]

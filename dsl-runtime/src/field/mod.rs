@@ -172,6 +172,7 @@ impl<R: Record, L> Field<R, L> {
 
 impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     pub(crate) fn with_extents(extents: crate::axes::PerAxis) -> Result<Self, ShapeError> {
+        Map::<R, L, X>::complete();
         let geometry = Geometry::new::<L, X>(extents)?;
         let shape = || extents[..X::RANK].to_vec();
         let bytes = Map::<R, L, X>::bytes(&geometry).ok_or_else(|| ShapeError::TooLarge { shape: shape() })?;

@@ -14,7 +14,7 @@ use std::sync::{Mutex, PoisonError};
 pub use reduction::{Partial, Reduction, Strip, reduction};
 pub use run::{Cell, Run};
 pub use sieve::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, sifted};
-pub use space::{Space, interior, over, range};
+pub use space::{Space, interior, of_branch, over, range};
 
 use crate::scatter::{self, Scattered};
 use crate::schedule::{Inside, Scatter, Schedule};
@@ -34,6 +34,8 @@ pub struct Options<'a> {
     pub scatter: Option<Scatter>,
     /// The fields that the loop accumulates into, by slot.
     pub targets: &'a [&'a dyn Scattered],
+    /// If iterations read and change elements of each other: whether every component there can be reached atomically.
+    pub together: Option<bool>,
 }
 
 impl core::fmt::Debug for Options<'_> {
@@ -50,6 +52,7 @@ pub struct Task<'t, S> {
     units: Range<usize>,
     fits: bool,
     atomic: bool,
+    alone: bool,
     roots: &'t [*mut u8],
     owner: PhantomData<*mut ()>,
 }
@@ -57,14 +60,24 @@ pub struct Task<'t, S> {
 impl<S: Space> Task<'_, S> {
     /// Visits the task's runs in memory order. Whole runs of blocks are written out: for small bodies.
     #[inline(always)]
-    pub fn rows(&self, body: impl FnMut(Run<'_, S>)) {
-        self.space.visit::<true>(self.units.clone(), self.fits, body);
+    pub fn rows(&self, mut body: impl FnMut(Run<'_, S>)) {
+        self.space.visit::<true>(
+            self.units.clone(),
+            self.fits,
+            #[inline(always)]
+            |run| once(&mut body, run),
+        );
     }
 
     /// Visits the task's runs in memory order, with one copy of the body: for large bodies.
     #[inline(always)]
-    pub fn runs(&self, body: impl FnMut(Run<'_, S>)) {
-        self.space.visit::<false>(self.units.clone(), self.fits, body);
+    pub fn runs(&self, mut body: impl FnMut(Run<'_, S>)) {
+        self.space.visit::<false>(
+            self.units.clone(),
+            self.fits,
+            #[inline(always)]
+            |run| once(&mut body, run),
+        );
     }
 
     /// Where this job accumulates for the field of a slot.
@@ -77,6 +90,20 @@ impl<S: Space> Task<'_, S> {
     pub(crate) fn atomic(&self) -> bool {
         self.atomic
     }
+
+    /// Whether one thread runs the whole loop.
+    #[inline(always)]
+    pub(crate) fn alone(&self) -> bool {
+        self.alone
+    }
+}
+
+/// Calls a body. With debug assertions it has one copy for all places that call it: without optimisation, the frame of a function with
+/// dozens of them takes more than a thread's stack.
+#[cfg_attr(debug_assertions, inline(never))]
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn once<T>(body: &mut impl FnMut(T), at: T) {
+    body(at);
 }
 
 /// Body versions. In the plain ones `fits` holds and updates are plain, as constants; the careful one asks at run time.
@@ -195,7 +222,14 @@ fn start<const CAREFUL: bool, S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + S
     }
     let schedule = Schedule::current();
     let cpu = schedule.instruction_set();
-    let threads = if Inside::now() { 1 } else { schedule.thread_count() };
+    assert!(
+        options.together.is_none() || !schedule.deterministic,
+        "kernel `{}`: iterations that meet in one element, in a `#[relaxed]` loop or by `fetch_add` and its like, come in no fixed order, which `deterministic` forbids",
+        options.kernel
+    );
+    let alone = Inside::now() || options.together == Some(false);
+    let threads = if alone { 1 } else { schedule.thread_count() };
+    let alone = threads == 1;
     let grain = grain(&schedule, options.heavy);
     // Blocks, and with them the order of reductions, follow from the work alone, never from the threads.
     let blocks = (elements / grain).clamp(1, MOST_BLOCKS).min(units);
@@ -203,7 +237,8 @@ fn start<const CAREFUL: bool, S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + S
     let block = |b: usize| units * b / blocks..units * (b + 1) / blocks;
 
     let run = |b: usize, roots: &[*mut u8]| {
-        let task = Task { space, units: block(b), fits: options.fits, atomic: plan.atomic, roots, owner: PhantomData };
+        let task =
+            Task { space, units: block(b), fits: options.fits, atomic: plan.atomic, alone, roots, owner: PhantomData };
         dispatch::<CAREFUL, S, Out, F>(cpu, body, task)
     };
     if size_of::<Out>() == 0 {

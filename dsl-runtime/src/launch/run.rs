@@ -2,6 +2,7 @@
 
 use core::marker::PhantomData;
 
+use super::once;
 use super::space::Space;
 use crate::axes::{MAX_AXES, PerAxis, per_axis};
 
@@ -51,24 +52,24 @@ impl<S: Space> Run<'_, S> {
         let halo = if S::AXIS < N { halo[S::AXIS] as usize } else { 0 };
         if S::RUN == 0 {
             for slot in 0..self.len {
-                body(self.cell(slot, true));
+                once(&mut body, self.cell(slot, true));
             }
         } else if self.whole {
             // Head, middle and tail: only the ends reach into neighbouring runs, at constant places.
             let head = halo.min(S::RUN);
             let tail = S::RUN.saturating_sub(halo).max(head);
             for slot in 0..head {
-                body(self.cell(slot, false));
+                once(&mut body, self.cell(slot, false));
             }
             for slot in head..tail {
-                body(self.cell(slot, true));
+                once(&mut body, self.cell(slot, true));
             }
             for slot in tail..S::RUN {
-                body(self.cell(slot, false));
+                once(&mut body, self.cell(slot, false));
             }
         } else {
             for slot in 0..self.len {
-                body(self.cell(slot, halo == 0));
+                once(&mut body, self.cell(slot, halo == 0));
             }
         }
     }

@@ -7,10 +7,10 @@ use super::run::Run;
 use crate::axes::{Axes, I, Ij, Ijk, Ijkl, MAX_AXES, PerAxis, all, per_axis};
 use crate::element::Sealed;
 use crate::index::Integer;
-use crate::layout::node::{nth_row, order, rows};
-use crate::layout::{Digit, Geometry, Inner, Layout, flat, run_axis};
-use crate::record::Record;
-use crate::view::View;
+use crate::layout::node::{Chained, nth_row, order, rows};
+use crate::layout::{Chain, Digit, Geometry, Layout, Map};
+use crate::record::{Path, Record, Whole};
+use crate::view::{Places, View};
 
 /// What a parallel loop runs over. The list is closed: each element is visited exactly once.
 #[doc(hidden)]
@@ -59,31 +59,65 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
         };
         Self::RANK == X::RANK && (self.elements() == 0 || (0..X::RANK).all(within))
     }
+
+    /// Whether indices in which the loop's variables stand so lie within a field, for the whole box.
+    fn holds<A: Places, R: Record, L: Layout<X>, X: Axes, const WRITE: bool>(
+        &self,
+        field: View<'_, R, L, X, WRITE>,
+        places: A,
+    ) -> bool {
+        let (first, end) = self.bounds();
+        let extremes = places.extremes(&first, &end);
+        let within = |a: usize| extremes[a].0 >= 0 && extremes[a].1 < i64::from(field.handle.geometry.shape[a]);
+        self.elements() == 0 || (0..X::RANK).all(within)
+    }
 }
 
-/// A box of a field, in the order of its memory.
+/// A box of a field, in the order of the memory of the branch that holds the path `P`.
 #[doc(hidden)]
-#[derive(Clone, Copy, Debug)]
-pub struct Cells<L, X> {
+pub struct Cells<R, L, X, P> {
     /// The box in elements.
     first: [u32; MAX_AXES],
     end: [u32; MAX_AXES],
     /// The same in the root's cells.
     first_block: PerAxis,
     blocks: PerAxis,
-    layout: PhantomData<fn() -> (L, X)>,
+    types: PhantomData<(Types<R, L>, Types<X, P>)>,
 }
 
-impl<L, X> Sealed for Cells<L, X> {}
+/// Types that are named alone.
+type Types<A, B> = fn() -> (A, B);
 
-impl<L: Layout<X>, X: Axes> Cells<L, X> {
+impl<R, L, X, P> Clone for Cells<R, L, X, P> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<R, L, X, P> Copy for Cells<R, L, X, P> {}
+impl<R, L, X, P> core::fmt::Debug for Cells<R, L, X, P> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "Cells({:?}..{:?})", self.first, self.end)
+    }
+}
+
+impl<R, L, X, P> Sealed for Cells<R, L, X, P> {}
+
+impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Chained<X> for Cells<R, L, X, P> {
+    const CHAIN: &'static Chain = Map::<R, L, X>::chain(match P::MEMBER {
+        Some(member) => member,
+        None => 0,
+    });
+}
+
+impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
     fn new(geometry: Geometry, border: u32) -> Self {
         let mut this = Self {
             first: [0; MAX_AXES],
             end: [1; MAX_AXES],
             first_block: [0; MAX_AXES],
             blocks: [1; MAX_AXES],
-            layout: PhantomData,
+            types: PhantomData,
         };
         for axis in 0..X::RANK {
             let extent = const { &<Self as Space>::EXTENT }[axis] as u32;
@@ -99,7 +133,7 @@ impl<L: Layout<X>, X: Axes> Cells<L, X> {
 
     /// The axes in the order of memory, those that the root does not name (which have one block) first.
     const ORDER: ([usize; MAX_AXES], usize) = {
-        let (named, count) = order::<X>(L::ROOT);
+        let (named, count) = order::<X>(<Self as Chained<X>>::CHAIN.root);
         let (mut axes, mut n, mut axis) = ([0; MAX_AXES], 0, 0);
         while axis < X::RANK {
             let (mut is_named, mut m) = (false, 0);
@@ -167,7 +201,7 @@ impl<L: Layout<X>, X: Axes> Cells<L, X> {
     /// Visits the runs of a block that lies in the box, each of constant length.
     #[inline(always)]
     fn block(&self, block: PerAxis, fits: bool, run: &mut impl FnMut(Run<'_, Self>)) {
-        rows::<L::Inner, X>(
+        rows::<Self, X>(
             #[inline(always)]
             |inner| {
                 let (at, len) = (Self::start(block, inner), <Self as Space>::RUN);
@@ -180,8 +214,8 @@ impl<L: Layout<X>, X: Axes> Cells<L, X> {
     #[inline(always)]
     fn cut_block(&self, block: PerAxis, fits: bool, run: &mut impl FnMut(Run<'_, Self>)) {
         let (axis, length) = (<Self as Space>::AXIS, <Self as Space>::RUN as i64);
-        for r in 0..<L::Inner as Inner<X>>::ROWS {
-            let inner = nth_row::<L::Inner, X>(r);
+        for r in 0..const { <Self as Chained<X>>::CHAIN.rows } {
+            let inner = nth_row::<X>(<Self as Chained<X>>::CHAIN, r);
             let at = Self::start(block, inner);
             let inside = all::<X>(
                 #[inline(always)]
@@ -206,14 +240,14 @@ impl<L: Layout<X>, X: Axes> Cells<L, X> {
     }
 }
 
-impl<L: Layout<X>, X: Axes> Space for Cells<L, X> {
+impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Space for Cells<R, L, X, P> {
     const RANK: usize = X::RANK;
     type Index = X::Index;
     type Tuple = X::Tuple;
-    const AXIS: usize = run_axis::<L, X>();
-    const RUN: usize = <L::Inner as Inner<X>>::RUN;
-    const EXTENT: PerAxis = <L::Inner as Inner<X>>::EXTENT;
-    const DIGITS: &'static [Digit] = <L::Inner as Inner<X>>::DIGITS;
+    const AXIS: usize = <Self as Chained<X>>::CHAIN.run_axis;
+    const RUN: usize = <Self as Chained<X>>::CHAIN.run;
+    const EXTENT: PerAxis = <Self as Chained<X>>::CHAIN.extent;
+    const DIGITS: &'static [Digit] = <Self as Chained<X>>::CHAIN.digits;
 
     fn elements(&self) -> usize {
         (0..X::RANK).map(|a| (self.end[a] - self.first[a]) as usize).product()
@@ -247,7 +281,7 @@ impl<L: Layout<X>, X: Axes> Space for Cells<L, X> {
                 #[inline(always)]
                 |a| self.first_block[a] + block[a],
             );
-            if flat::<L, X>() {
+            if const { <Self as Chained<X>>::CHAIN.is_flat() } {
                 let (at, inner) = (Self::start(first, [0; MAX_AXES]), [0; MAX_AXES]);
                 run(Run { at, first: 0, len, block: first, inner, whole: false, fits, owner: PhantomData });
             } else {
@@ -278,8 +312,10 @@ impl<L: Layout<X>, X: Axes> Space for Cells<L, X> {
 
 /// All elements of a field.
 #[doc(hidden)]
-pub fn over<R: Record, L: Layout<X>, X: Axes, const WRITE: bool>(field: View<'_, R, L, X, WRITE>) -> Cells<L, X> {
-    Cells::new(field.handle.geometry, 0)
+pub fn over<R: Record, L: Layout<X>, X: Axes, const WRITE: bool>(
+    field: View<'_, R, L, X, WRITE>,
+) -> Cells<R, L, X, Whole> {
+    of_branch(field, Whole, 0)
 }
 
 /// All elements of a field but a border of `width`.
@@ -287,8 +323,25 @@ pub fn over<R: Record, L: Layout<X>, X: Axes, const WRITE: bool>(field: View<'_,
 pub fn interior<R: Record, L: Layout<X>, X: Axes, const WRITE: bool>(
     field: View<'_, R, L, X, WRITE>,
     width: u32,
-) -> Cells<L, X> {
-    Cells::new(field.handle.geometry, width)
+) -> Cells<R, L, X, Whole> {
+    of_branch(field, Whole, width)
+}
+
+/// All elements of a field but a border of `width`, in the order of the branch that holds a path.
+#[doc(hidden)]
+pub fn of_branch<R: Record, L: Layout<X>, X: Axes, P: Path<R>, const WRITE: bool>(
+    field: View<'_, R, L, X, WRITE>,
+    _: P,
+    width: u32,
+) -> Cells<R, L, X, P> {
+    const {
+        assert!(
+            P::MEMBER.is_some() || L::BRANCHES == 1,
+            "a loop over a field whose members stand in several branches names the branch by a member: `for ij in grid.m`"
+        )
+    }
+    let member = P::MEMBER.unwrap_or_default();
+    Cells::new(Map::<R, L, X>::geometry(&field.handle.geometry, member), width)
 }
 
 /// A box of integers, its last axis fastest.

@@ -1,6 +1,6 @@
 //! The run-time part of a layout: a field's extents and the root's strides.
 
-use super::{Layout, block, node::order};
+use super::{Layout, node::order};
 use crate::axes::{AXIS_NAMES, Axes, MAX_AXES, PerAxis};
 use crate::field::ShapeError;
 
@@ -20,8 +20,11 @@ pub(crate) struct Geometry {
 impl Geometry {
     /// The geometry of a field of so many elements.
     pub(crate) fn new<L: Layout<X>, X: Axes>(extents: PerAxis) -> Result<Self, ShapeError> {
-        let (axes, count) = order::<X>(L::ROOT);
-        let block = block::<L, X>();
+        if L::BRANCHES > 1 {
+            Self::new::<L::Rest, X>(extents)?;
+        }
+        let (axes, count) = const { order::<X>(L::CHAIN.root) };
+        let block = const { L::CHAIN.extent };
         let mut this = Self { shape: [1; MAX_AXES], blocks: [1; MAX_AXES], stride: [0; MAX_AXES], cells: 1 };
         for axis in 0..X::RANK {
             let extent = extents[axis];
@@ -43,6 +46,21 @@ impl Geometry {
                 .ok_or_else(|| ShapeError::TooLarge { shape: extents[..X::RANK].to_vec() })?;
         }
         Ok(this)
+    }
+
+    /// The geometry of the branches behind the first in a field of this geometry.
+    #[inline(always)]
+    pub(crate) fn rest<L: Layout<X>, X: Axes>(&self) -> Self {
+        let chain = const { &<L::Rest as Layout<X>>::CHAIN };
+        let (axes, count) = const { order::<X>(<L::Rest as Layout<X>>::CHAIN.root) };
+        let mut this = Self { shape: self.shape, blocks: [1; MAX_AXES], stride: [0; MAX_AXES], cells: 1 };
+        for &axis in axes[..count].iter().rev() {
+            this.blocks[axis] = (self.shape[axis] as usize).div_ceil(chain.extent[axis]);
+            this.stride[axis] = this.cells;
+            // No overflow: the field was made with such branches.
+            this.cells = this.cells.wrapping_mul(this.blocks[axis]);
+        }
+        this
     }
 
     /// Elements in all.

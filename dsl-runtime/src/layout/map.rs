@@ -2,81 +2,148 @@
 
 use core::marker::PhantomData;
 
-use super::node::order;
-use super::place::{Spec, Streams, round_up};
-use super::{Geometry, Inner, Layout, Place, flat};
-use crate::axes::{Axes, MAX_AXES, PerAxis, sum};
+use super::node::{Chain, order};
+use super::place::{Seat, Streams, round_up};
+use super::{Geometry, Inner, Layout};
+use crate::axes::{Axes, MAX_AXES, sum};
 use crate::field::memory::LINE;
 use crate::record::{ElementList, MAX_MEMBERS, Record};
 
-/// Where the records `R` lie in the layout `L` over `X`.
+/// Where the records `R` lie in the layout `L` over `X`. Members that stand in no node of the first branch are asked for in the
+/// others: which one it is, is known at compile time.
 pub(crate) struct Map<R, L, X>(PhantomData<(R, L, X)>);
+
+/// What is to be known of one member of one branch.
+#[derive(Clone, Copy)]
+struct Facts {
+    seat: Seat,
+    /// Where it begins in the innermost node (constant trees).
+    start: usize,
+    stride: usize,
+    /// Bytes between its components (constant trees).
+    component: usize,
+    /// Whether it stands in the first branch.
+    here: bool,
+}
 
 impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     // Tables stand behind references: a use then reads one entry, and copies nothing.
-    pub(crate) const STREAMS: &'static Streams = &Streams::of(Self::SPEC, Self::PAD, R::Elements::MEMBERS, R::NAMES);
-    const SPEC: Spec = <<L::Inner as Inner<X>>::Place as Place>::SPEC;
-    const PAD: usize = <<L::Inner as Inner<X>>::Place as Place>::PAD;
-    /// What the field's memory, and each run of a flat root, begins at a multiple of: a cache line, or what the layout asks for.
-    pub(crate) const LINE: usize = if Self::PAD > LINE { Self::PAD } else { LINE };
-    const EXTENT: &'static PerAxis = &<L::Inner as Inner<X>>::EXTENT;
-    pub(crate) const FLAT: bool = flat::<L, X>();
-    /// Cells of the innermost node (constant trees).
-    const LEAF: usize = <L::Inner as Inner<X>>::LEAF;
+    const STREAMS: &'static Streams = &Streams::of(L::CHAIN.spec, L::CHAIN.pad, R::Elements::MEMBERS, R::NAMES);
+    const CHAIN: &'static Chain = &L::CHAIN;
+    /// What each run of a flat root begins at a multiple of: a cache line, or what the layout asks for.
+    const RUN_LINE: usize = if L::CHAIN.pad > LINE { L::CHAIN.pad } else { LINE };
+    /// What the field's memory and each branch begin at a multiple of.
+    pub(crate) const LINE: usize = Self::line();
+    const FLAT: bool = L::CHAIN.is_flat();
     /// Bytes of the innermost node (constant trees).
-    pub(crate) const LEAF_BYTES: usize =
-        round_up(Self::STREAMS.bytes(Self::LEAF, Self::STREAMS.align), Self::STREAMS.align);
+    const LEAF_BYTES: usize = round_up(Self::STREAMS.bytes(L::CHAIN.leaf, Self::STREAMS.align), Self::STREAMS.align);
     /// Bytes of one of the root's cells (constant trees).
-    pub(crate) const BLOCK_BYTES: usize =
-        if Self::FLAT { 0 } else { <L::Inner as Inner<X>>::CELLS / Self::LEAF * Self::LEAF_BYTES };
-    /// Where each member begins in the innermost node (constant trees).
-    const STARTS: &'static [usize; MAX_MEMBERS] = &{
-        let mut starts = [0; MAX_MEMBERS];
-        let mut m = 0;
+    const BLOCK_BYTES: usize = if Self::FLAT { 0 } else { L::CHAIN.cells / L::CHAIN.leaf * Self::LEAF_BYTES };
+    const FACTS: &'static [Facts; MAX_MEMBERS] = &{
+        let nowhere = Streams::NOWHERE;
+        let mut facts = [Facts { seat: nowhere, start: 0, stride: 0, component: 0, here: false }; MAX_MEMBERS];
+        let (mut m, streams) = (0, Self::STREAMS);
         while m < R::Elements::MEMBERS.len() {
-            let seat = Self::STREAMS.seats[m];
-            starts[m] = Self::STREAMS.start(seat.stream, Self::LEAF, Self::STREAMS.align) + seat.offset;
+            if streams.holds(m) {
+                let seat = streams.seats[m];
+                facts[m] = Facts {
+                    seat,
+                    start: streams.start(seat.stream, L::CHAIN.leaf, streams.align) + seat.offset,
+                    stride: streams.stride(m),
+                    component: streams.component(m, L::CHAIN.leaf, streams.align),
+                    here: true,
+                };
+            }
             m += 1;
         }
-        starts
+        facts
     };
-    const STRIDES: &'static [usize; MAX_MEMBERS] = &{
-        let mut strides = [0; MAX_MEMBERS];
+    /// Every member stands in one branch: one that stands in two, or in none, is an error when a field is made.
+    const COMPLETE: () = {
         let mut m = 0;
         while m < R::Elements::MEMBERS.len() {
-            strides[m] = Self::STREAMS.stride(m);
+            let branches = Self::branches_with(m);
+            assert!(branches != 0, "the layout leaves a member of the record out of all its branches");
+            assert!(branches == 1, "the layout places a member of the record in two branches");
             m += 1;
         }
-        strides
     };
-    const COMPONENTS: &'static [usize; MAX_MEMBERS] = &{
-        let mut components = [0; MAX_MEMBERS];
-        let mut m = 0;
-        while m < R::Elements::MEMBERS.len() {
-            components[m] = Self::STREAMS.component(m, Self::LEAF, Self::STREAMS.align);
-            m += 1;
-        }
-        components
-    };
+
+    // A function: a constant of its own rest would be evaluated though there is none.
+    const fn line() -> usize {
+        let rest = if L::BRANCHES > 1 { Map::<R, L::Rest, X>::line() } else { LINE };
+        if Self::RUN_LINE > rest { Self::RUN_LINE } else { rest }
+    }
+
+    /// How many branches hold a member.
+    const fn branches_with(m: usize) -> usize {
+        let rest = if L::BRANCHES > 1 { Map::<R, L::Rest, X>::branches_with(m) } else { 0 };
+        Self::FACTS[m].here as usize + rest
+    }
+
+    /// Whether a member stands in the first branch.
+    #[inline(always)]
+    const fn here(m: usize) -> bool {
+        L::BRANCHES == 1 || Self::FACTS[m].here
+    }
+
+    const fn facts(m: usize) -> &'static Facts {
+        if Self::here(m) { &Self::FACTS[m] } else { Map::<R, L::Rest, X>::facts(m) }
+    }
+
+    /// The branch that a member stands in.
+    pub(crate) const fn chain(m: usize) -> &'static Chain {
+        if Self::here(m) { Self::CHAIN } else { Map::<R, L::Rest, X>::chain(m) }
+    }
+
+    /// The geometry of a member's branch.
+    #[inline(always)]
+    pub(crate) fn geometry(geometry: &Geometry, m: usize) -> Geometry {
+        if Self::here(m) { *geometry } else { Map::<R, L::Rest, X>::geometry(&geometry.rest::<L, X>(), m) }
+    }
 
     /// The root's fastest axis, whose stride is 1 by construction: a constant.
     const FASTEST: usize = {
-        let (axes, count) = order::<X>(L::ROOT);
+        let (axes, count) = order::<X>(L::CHAIN.root);
         axes[count - 1]
     };
 
-    /// The root's cells between neighbours along an axis.
+    /// The root's cells between neighbours along an axis, in a member's branch.
     #[inline(always)]
-    pub(crate) fn root_stride(geometry: &Geometry, axis: usize) -> usize {
+    pub(crate) fn root_stride(geometry: &Geometry, m: usize, axis: usize) -> usize {
+        if !Self::here(m) {
+            return Map::<R, L::Rest, X>::root_stride(&geometry.rest::<L, X>(), m, axis);
+        }
         if axis == Self::FASTEST { 1 } else { geometry.stride[axis] }
     }
 
-    /// All bytes of a field; `None` where they overflow.
-    pub(crate) fn bytes(geometry: &Geometry) -> Option<usize> {
+    /// Bytes of one of the root's cells in a member's branch (constant trees).
+    #[inline(always)]
+    pub(crate) const fn block_bytes(m: usize) -> usize {
+        if Self::here(m) { Self::BLOCK_BYTES } else { Map::<R, L::Rest, X>::block_bytes(m) }
+    }
+
+    /// Bytes of an innermost node of a member's branch (constant trees).
+    pub(crate) const fn leaf_bytes(m: usize) -> usize {
+        if Self::here(m) { Self::LEAF_BYTES } else { Map::<R, L::Rest, X>::leaf_bytes(m) }
+    }
+
+    /// Where a member stands in its stream.
+    pub(crate) const fn seat(m: usize) -> Seat {
+        Self::facts(m).seat
+    }
+
+    /// Whether every component of a member lies at a multiple of its size.
+    pub(crate) const fn aligned(m: usize) -> bool {
+        if Self::here(m) { Self::STREAMS.aligned(m) } else { Map::<R, L::Rest, X>::aligned(m) }
+    }
+
+    /// Bytes of the first branch; `None` where they overflow.
+    fn branch_bytes(geometry: &Geometry) -> Option<usize> {
         let cells = geometry.cells as u128;
         let bytes = if Self::FLAT {
             let streams = Self::STREAMS;
-            let run = |item: usize| (cells * item as u128).next_multiple_of(Self::LINE as u128);
+            let run = |item: usize| (cells * item as u128).next_multiple_of(Self::RUN_LINE as u128);
             streams.streams[..streams.count].iter().map(|s| s.repeats as u128 * run(s.item)).sum()
         } else {
             cells * Self::BLOCK_BYTES as u128
@@ -84,23 +151,64 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         usize::try_from(bytes).ok().filter(|&bytes| isize::try_from(bytes).is_ok())
     }
 
+    /// Where the branches behind the first begin.
+    #[inline(always)]
+    fn rest_start(geometry: &Geometry) -> usize {
+        let bytes = if Self::FLAT {
+            Self::flat_start(geometry.cells, Self::STREAMS.count)
+        } else {
+            geometry.cells.wrapping_mul(Self::BLOCK_BYTES)
+        };
+        bytes.next_multiple_of(Self::LINE)
+    }
+
+    /// All bytes of a field; `None` where they overflow.
+    pub(crate) fn bytes(geometry: &Geometry) -> Option<usize> {
+        let bytes = Self::branch_bytes(geometry)?;
+        if L::BRANCHES == 1 {
+            return Some(bytes);
+        }
+        let rest = Map::<R, L::Rest, X>::bytes(&geometry.rest::<L, X>())?;
+        let all = bytes.checked_next_multiple_of(Self::LINE)?.checked_add(rest)?;
+        isize::try_from(all).is_ok().then_some(all)
+    }
+
+    /// Fails to compile where a member stands in no branch, or in two.
+    pub(crate) fn complete() {
+        const { Self::COMPLETE }
+    }
+
+    /// Whether all of a field is one run of records without anything between them.
+    pub(crate) const fn is_one_run() -> bool {
+        L::BRANCHES == 1 && Self::FLAT && Self::STREAMS.count == 1
+    }
+
+    /// Bytes of one record of such a field, and how many times the run is repeated.
+    pub(crate) const fn run_item() -> (usize, usize) {
+        (Self::STREAMS.streams[0].item, Self::STREAMS.streams[0].repeats)
+    }
+
     /// Bytes between the values of member `m` of neighbouring cells of the innermost node.
     #[inline(always)]
     pub(crate) const fn stride(m: usize) -> usize {
-        Self::STRIDES[m]
+        Self::facts(m).stride
     }
 
     /// Where member `m` of a flat root, or of each innermost node, begins.
     #[inline(always)]
     pub(crate) fn start(geometry: &Geometry, m: usize) -> usize {
+        if !Self::here(m) {
+            let rest = Map::<R, L::Rest, X>::start(&geometry.rest::<L, X>(), m);
+            return Self::rest_start(geometry).wrapping_add(rest);
+        }
         if Self::FLAT {
-            let seat = Self::STREAMS.seats[m];
+            let seat = Self::FACTS[m].seat;
             if Self::STREAMS.count == 1 {
                 return seat.offset;
             }
             Self::flat_start(geometry.cells, seat.stream) + seat.offset
         } else {
-            Self::STARTS[m]
+            Self::FACTS[m].start
         }
     }
 
@@ -110,7 +218,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         let mut bytes = 0;
         // Written as a loop over a constant list: it unrolls, and is hoisted out of every loop over cells.
         for s in &streams.streams[..stream] {
-            bytes += s.repeats * round_up(cells * s.item, Self::LINE);
+            bytes += s.repeats * round_up(cells * s.item, Self::RUN_LINE);
         }
         bytes
     }
@@ -118,23 +226,26 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// Bytes between the components of member `m`.
     #[inline(always)]
     pub(crate) fn component(geometry: &Geometry, m: usize) -> usize {
+        if !Self::here(m) {
+            return Map::<R, L::Rest, X>::component(&geometry.rest::<L, X>(), m);
+        }
         if Self::FLAT {
-            let seat = Self::STREAMS.seats[m];
-            if seat.split { round_up(geometry.cells * Self::STRIDES[m], Self::LINE) } else { seat.scalar }
+            let seat = Self::FACTS[m].seat;
+            if seat.split { round_up(geometry.cells * Self::FACTS[m].stride, Self::RUN_LINE) } else { seat.scalar }
         } else {
-            Self::COMPONENTS[m]
+            Self::FACTS[m].component
         }
     }
 
     /// Bytes between the components of member `m` where they are a constant; else 0.
     pub(crate) const fn constant_component(m: usize) -> usize {
-        let seat = Self::STREAMS.seats[m];
-        if !seat.split {
-            seat.scalar
-        } else if Self::FLAT {
+        let (facts, flat) = (Self::facts(m), Self::chain(m).is_flat());
+        if !facts.seat.split {
+            facts.seat.scalar
+        } else if flat {
             0
         } else {
-            Self::COMPONENTS[m]
+            facts.component
         }
     }
 
@@ -151,13 +262,16 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// What coordinate `c` along `axis` adds to the offset of member `m`.
     #[inline(always)]
     pub(crate) fn term(geometry: &Geometry, m: usize, axis: usize, c: u32) -> usize {
+        if !Self::here(m) {
+            return Map::<R, L::Rest, X>::term(&geometry.rest::<L, X>(), m, axis, c);
+        }
         if Self::FLAT {
-            (c as usize).wrapping_mul(Self::root_stride(geometry, axis)).wrapping_mul(Self::stride(m))
+            (c as usize).wrapping_mul(Self::root_stride(geometry, m, axis)).wrapping_mul(Self::stride(m))
         } else {
-            let extent = Self::EXTENT[axis] as u32;
+            let extent = Self::CHAIN.extent[axis] as u32;
             let (block, inner) = (c / extent, c % extent);
             (block as usize)
-                .wrapping_mul(Self::root_stride(geometry, axis))
+                .wrapping_mul(Self::root_stride(geometry, m, axis))
                 .wrapping_mul(Self::BLOCK_BYTES)
                 .wrapping_add(Self::inner(m, axis, inner as usize))
         }
@@ -166,6 +280,9 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// What coordinate `c` within a block along `axis` adds to the offset of member `m` (constant trees).
     #[inline(always)]
     pub(crate) fn inner(m: usize, axis: usize, c: usize) -> usize {
+        if !Self::here(m) {
+            return Map::<R, L::Rest, X>::inner(m, axis, c);
+        }
         <L::Inner as Inner<X>>::term(axis, c, Self::LEAF_BYTES, Self::stride(m))
     }
 }

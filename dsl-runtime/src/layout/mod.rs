@@ -1,5 +1,6 @@
 //! Layouts: how a space of records lies in memory. Index to address, and the order of memory.
 
+mod branches;
 pub(crate) mod dense;
 pub(crate) mod geometry;
 pub(crate) mod map;
@@ -7,6 +8,7 @@ pub(crate) mod morton;
 pub(crate) mod node;
 pub(crate) mod place;
 
+pub use branches::Both;
 pub use dense::Dense;
 pub(crate) use geometry::Geometry;
 pub(crate) use map::Map;
@@ -14,12 +16,12 @@ pub use morton::Curve;
 pub(crate) use node::order;
 pub use node::{ALL, LAST};
 #[doc(hidden)]
-pub use node::{Digit, Inner};
+pub use node::{Chain, Digit, Inner};
 #[doc(hidden)]
 pub use place::{Entry, Named, Place, Spec, Taken};
-pub use place::{Padded, PlaceAos, PlaceGroups, PlaceSoa, PlaceSplit};
+pub use place::{Padded, PlaceAos, PlaceGroups, PlaceSoa, PlaceSome, PlaceSplit};
 
-use crate::axes::{Axes, PerAxis};
+use crate::axes::Axes;
 use crate::element::Sealed;
 
 /// How a space over the axes `X` lies in memory: a named layout such as [`Soa`], or what [`layout!`](crate::layout!) makes.
@@ -41,12 +43,18 @@ use crate::element::Sealed;
     note = "a layout serves the axes that it names: `dense(ij)` a field over `Ij`; named layouts such as `Aos` serve all"
 )]
 pub trait Layout<X: Axes>: Copy + Send + Sync + Sealed + 'static {
-    /// The nodes of constant size below the root.
+    /// The nodes of constant size below the root of the first branch.
     #[doc(hidden)]
     type Inner: Inner<X>;
-    /// The root's axes in the order of memory, as a code.
+    /// The other branches; the layout itself, where it has one branch alone.
     #[doc(hidden)]
-    const ROOT: u32;
+    type Rest: Layout<X>;
+    /// How many branches it has.
+    #[doc(hidden)]
+    const BRANCHES: usize;
+    /// The first branch.
+    #[doc(hidden)]
+    const CHAIN: Chain;
 }
 
 /// The root of a layout: as many cells along the axes of `ORDER` as the shape needs, each a chain `N`.
@@ -55,7 +63,9 @@ pub struct Tree<const ORDER: u32, N>(core::marker::PhantomData<fn() -> N>);
 impl<const ORDER: u32, N> Sealed for Tree<ORDER, N> {}
 impl<const ORDER: u32, N: Inner<X>, X: Axes> Layout<X> for Tree<ORDER, N> {
     type Inner = N;
-    const ROOT: u32 = ORDER;
+    type Rest = Self;
+    const BRANCHES: usize = 1;
+    const CHAIN: Chain = Chain::of::<N, X>(ORDER);
 }
 
 /// Record after record, the last axis fastest: `dense(..).aos`.
@@ -70,25 +80,3 @@ pub type AoSoA<const N: usize> = Tree<ALL, Dense<LAST, N, N, N, N, PlaceSoa>>;
 pub type Blocked<const N: usize> = Tree<ALL, Dense<ALL, N, N, N, N, PlaceAos>>;
 /// Blocks of `N` cells along every axis in Z-order, record after record: `dense(ij).morton(ij, N).aos`. `N` is a power of two.
 pub type Morton<const N: usize> = Tree<ALL, Curve<ALL, N, N, N, N, PlaceAos>>;
-
-/// Cells of a block along an axis.
-#[inline(always)]
-pub(crate) const fn block<L: Layout<X>, X: Axes>() -> PerAxis {
-    <L::Inner as Inner<X>>::EXTENT
-}
-
-/// Whether the root is the innermost node.
-#[inline(always)]
-pub(crate) const fn flat<L: Layout<X>, X: Axes>() -> bool {
-    <L::Inner as Inner<X>>::LEAF == 0
-}
-
-/// The axis along which neighbours lie one after another.
-pub(crate) const fn run_axis<L: Layout<X>, X: Axes>() -> usize {
-    if flat::<L, X>() {
-        let (axes, count) = node::order::<X>(L::ROOT);
-        axes[count - 1]
-    } else {
-        <L::Inner as Inner<X>>::RUN_AXIS
-    }
-}

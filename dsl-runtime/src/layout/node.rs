@@ -2,7 +2,7 @@
 
 use crate::axes::{Axes, MAX_AXES, PerAxis};
 use crate::element::Sealed;
-use crate::layout::Place;
+use crate::layout::{Place, Spec};
 
 /// One level of one axis: how many cells, and how far apart they are in the node's order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,14 +73,60 @@ pub trait Inner<X: Axes>: Copy + Send + Sync + Sealed + 'static {
     fn term(axis: usize, c: usize, leaf_bytes: usize, stride: usize) -> usize;
 }
 
+/// A root and the nodes of constant size below it, as data.
+#[derive(Clone, Copy, Debug)]
+#[doc(hidden)]
+pub struct Chain {
+    /// The order of the root's axes.
+    pub(crate) root: u32,
+    /// As in [`Inner`].
+    pub(crate) extent: PerAxis,
+    pub(crate) cells: usize,
+    pub(crate) leaf: usize,
+    pub(crate) run: usize,
+    /// The axis along which neighbours lie one after another.
+    pub(crate) run_axis: usize,
+    pub(crate) rows: usize,
+    pub(crate) digits: &'static [Digit],
+    /// What the place does.
+    pub(crate) spec: Spec,
+    /// The bytes that cells or runs begin at a multiple of.
+    pub(crate) pad: usize,
+}
+
+impl Chain {
+    /// The chain of a root over the axes of `root` with the nodes `N`.
+    pub(crate) const fn of<N: Inner<X>, X: Axes>(root: u32) -> Self {
+        let (axes, count) = order::<X>(root);
+        Self {
+            root,
+            extent: N::EXTENT,
+            cells: N::CELLS,
+            leaf: N::LEAF,
+            run: N::RUN,
+            run_axis: if N::LEAF == 0 { axes[count - 1] } else { N::RUN_AXIS },
+            rows: N::ROWS,
+            digits: N::DIGITS,
+            spec: <N::Place as Place>::SPEC,
+            pad: <N::Place as Place>::PAD,
+        }
+    }
+
+    /// Whether the root is the innermost node.
+    #[inline(always)]
+    pub(crate) const fn is_flat(&self) -> bool {
+        self.leaf == 0
+    }
+}
+
 /// Where run `r` of a block begins, in memory order.
 #[inline(always)]
-pub(crate) const fn nth_row<N: Inner<X>, X: Axes>(r: usize) -> PerAxis {
+pub(crate) const fn nth_row<X: Axes>(chain: &Chain, r: usize) -> PerAxis {
     let mut at = [0; MAX_AXES];
-    let (mut rest, mut unit, mut cells) = (r * N::RUN, N::EXTENT, N::CELLS);
+    let (mut rest, mut unit, mut cells) = (r * chain.run, chain.extent, chain.cells);
     let mut level = 0;
-    while level < N::DIGITS.len() && N::DIGITS[level].order != 0 {
-        let digit = N::DIGITS[level];
+    while level < chain.digits.len() && chain.digits[level].order != 0 {
+        let digit = chain.digits[level];
         let (axes, count) = order::<X>(digit.order);
         let mut n = 0;
         if digit.curve {
@@ -106,21 +152,26 @@ pub(crate) const fn nth_row<N: Inner<X>, X: Axes>(r: usize) -> PerAxis {
     at
 }
 
+/// A chain that is known at compile time.
+pub(crate) trait Chained<X: Axes> {
+    const CHAIN: &'static Chain;
+}
+
 /// Visits the beginnings of a block's runs in memory order. Few are written out, so that their places are constants.
 #[inline(always)]
-pub(crate) fn rows<N: Inner<X>, X: Axes>(mut row: impl FnMut(PerAxis)) {
+pub(crate) fn rows<T: Chained<X>, X: Axes>(mut row: impl FnMut(PerAxis)) {
     macro_rules! written_out {
         ($($r:literal)*) => {$(
-            if const { N::ROWS > $r } {
-                row(const { if N::ROWS > $r { nth_row::<N, X>($r) } else { [0; MAX_AXES] } });
+            if const { T::CHAIN.rows > $r } {
+                row(const { if T::CHAIN.rows > $r { nth_row::<X>(T::CHAIN, $r) } else { [0; MAX_AXES] } });
             }
         )*};
     }
-    if const { N::ROWS <= 8 } {
+    if const { T::CHAIN.rows <= 8 } {
         written_out!(0 1 2 3 4 5 6 7);
     } else {
-        for r in 0..N::ROWS {
-            row(nth_row::<N, X>(r));
+        for r in 0..const { T::CHAIN.rows } {
+            row(nth_row::<X>(T::CHAIN, r));
         }
     }
 }

@@ -17,6 +17,8 @@ pub enum Spec {
     Split,
     /// Groups of members, each interleaved, one group after another.
     Groups(&'static [&'static [Entry]]),
+    /// The same of some members: the others stand in other branches.
+    Some(&'static [&'static [Entry]]),
 }
 
 /// A member in a group of `.place(..)`.
@@ -100,6 +102,14 @@ pub struct PlaceGroups<R, G>(core::marker::PhantomData<fn() -> (R, G)>);
 impl<R, G> Sealed for PlaceGroups<R, G> {}
 impl<R: Copy + 'static, G: Groups> Place for PlaceGroups<R, G> {
     const SPEC: Spec = Spec::Groups(G::GROUPS);
+}
+
+/// `.place([v, m])` in a branch: groups of some members of `R`; the others stand in other branches.
+#[derive(Clone, Copy, Debug)]
+pub struct PlaceSome<R, G>(core::marker::PhantomData<fn() -> (R, G)>);
+impl<R, G> Sealed for PlaceSome<R, G> {}
+impl<R: Copy + 'static, G: Groups> Place for PlaceSome<R, G> {
+    const SPEC: Spec = Spec::Some(G::GROUPS);
 }
 
 /// A member's name in a group.
@@ -222,10 +232,12 @@ const fn named(name: &str, packed: (u128, u128)) -> bool {
 }
 
 impl Streams {
+    /// The seat of a member that stands elsewhere.
+    pub(crate) const NOWHERE: Seat = Seat { stream: MAX_MEMBERS, offset: 0, split: false, scalar: 1 };
     const EMPTY: Self = Self {
         streams: [Stream { item: 0, repeats: 1 }; MAX_MEMBERS],
         count: 0,
-        seats: [Seat { stream: MAX_MEMBERS, offset: 0, split: false, scalar: 1 }; MAX_MEMBERS],
+        seats: [Self::NOWHERE; MAX_MEMBERS],
         align: 1,
     };
 
@@ -268,6 +280,7 @@ impl Streams {
             }
             m += 1;
         }
+        let all = !matches!(spec, Spec::Some(_));
         if pad > this.align {
             this.align = pad;
         }
@@ -287,7 +300,7 @@ impl Streams {
                     m += 1;
                 }
             }
-            Spec::Groups(groups) => {
+            Spec::Groups(groups) | Spec::Some(groups) => {
                 let mut g = 0;
                 while g < groups.len() {
                     let (group, mut open) = (groups[g], false);
@@ -320,7 +333,10 @@ impl Streams {
                     g += 1;
                 }
                 while m < members.len() {
-                    assert!(this.seats[m].stream < MAX_MEMBERS, "`.place(..)` leaves a member of the record out");
+                    assert!(
+                        !all || this.seats[m].stream < MAX_MEMBERS,
+                        "`.place(..)` leaves a member of the record out"
+                    );
                     m += 1;
                 }
             }
@@ -355,6 +371,11 @@ impl Streams {
     pub(crate) const fn component(&self, m: usize, cells: usize, align: usize) -> usize {
         let seat = self.seats[m];
         if seat.split { self.run(seat.stream, cells, align) } else { seat.scalar }
+    }
+
+    /// Whether member `m` stands here.
+    pub(crate) const fn holds(&self, m: usize) -> bool {
+        self.seats[m].stream < MAX_MEMBERS
     }
 
     /// Bytes between the values of member `m` of neighbouring cells.

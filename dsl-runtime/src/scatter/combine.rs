@@ -1,7 +1,7 @@
 //! Combining lines of scalars with an operator that is known at run time.
 
-use crate::element::Kind;
-use crate::number::{BitAnd, BitOr, BitXor, Max, Min, Number, Operator, Product, Sum};
+use crate::element::{Kind, Scalar};
+use crate::number::{BitAnd, BitOr, BitXor, Max, Min, Operator, Product, Sum};
 
 /// An accumulation operator as data.
 #[doc(hidden)]
@@ -56,7 +56,12 @@ macro_rules! by_type {
             Kind::U16 => by_type!(@bits u16, $line, $f($($argument),*)),
             Kind::U32 => by_type!(@bits u32, $line, $f($($argument),*)),
             Kind::U64 => by_type!(@bits u64, $line, $f($($argument),*)),
-            Kind::Bool => unreachable!("`bool` is no number: its accumulation does not compile"),
+            Kind::Bool => match $line.op {
+                Op::And => $f::<bool, BitAnd>($($argument),*),
+                Op::Or => $f::<bool, BitOr>($($argument),*),
+                Op::Xor => $f::<bool, BitXor>($($argument),*),
+                _ => unreachable!("`bool` is no number: its sums do not compile"),
+            },
         }
     };
     (@number $scalar:ty, $line:expr, $f:ident($($argument:expr),*)) => {
@@ -99,7 +104,7 @@ pub(super) unsafe fn set_line(copy: *mut u8, line: Line, identity: bool) {
 /// Scalars that are looked at together: if none was touched, the field's are left alone.
 const PAGE: usize = 1024;
 
-fn combine<S: Number, O: Operator<S>>(field: *mut u8, copy: *mut u8, line: Line) {
+fn combine<S: Scalar, O: Operator<S>>(field: *mut u8, copy: *mut u8, line: Line) {
     // Zeroed memory stands for a sum's identity.
     let idle = if line.op.identity_is_zero() { zero::<S>() } else { O::IDENTITY };
     if line.step == size_of::<S>() && line.offset.is_multiple_of(size_of::<S>()) {
@@ -135,12 +140,12 @@ fn combine<S: Number, O: Operator<S>>(field: *mut u8, copy: *mut u8, line: Line)
 }
 
 /// The value of zero bytes.
-fn zero<S: Number>() -> S {
+fn zero<S: Scalar>() -> S {
     // SAFETY: zero bytes are a value of every scalar.
     unsafe { core::mem::zeroed() }
 }
 
-fn set<S: Number, O: Operator<S>>(copy: *mut u8, line: Line, identity: bool) {
+fn set<S: Scalar, O: Operator<S>>(copy: *mut u8, line: Line, identity: bool) {
     let value = if identity && !line.op.identity_is_zero() { O::IDENTITY } else { zero::<S>() };
     for n in 0..line.count {
         // SAFETY: the caller has the line's scalars to itself.

@@ -6,7 +6,7 @@ use super::combine::{Line, Op, combine_line, set_line};
 use crate::axes::Axes;
 use crate::field::Handle;
 use crate::field::memory::Memory;
-use crate::layout::{Inner, Layout, Map};
+use crate::layout::{Layout, Map};
 use crate::record::{ElementList, Record};
 use crate::view::View;
 
@@ -58,15 +58,20 @@ impl<'a, R: Record, L: Layout<X>, X: Axes> View<'a, R, L, X, true> {
 const PART: usize = 1 << 13;
 
 impl<R: Record, L: Layout<X>, X: Axes> Target<'_, '_, R, L, X> {
-    /// Leaves of the tree: its innermost nodes, or the whole flat root.
-    fn leaves(&self) -> (usize, usize) {
-        let geometry = &self.handle.geometry;
-        if Map::<R, L, X>::FLAT {
-            (1, geometry.cells)
-        } else {
-            let leaf = <L::Inner as Inner<X>>::LEAF;
-            (geometry.cells * (<L::Inner as Inner<X>>::CELLS / leaf), leaf)
+    /// Leaves of a member's branch, its innermost nodes or the whole flat root, and the cells of each.
+    fn leaves(&self, member: usize) -> (usize, usize) {
+        let cells = Map::<R, L, X>::geometry(&self.handle.geometry, member).cells;
+        match Map::<R, L, X>::chain(member) {
+            chain if chain.is_flat() => (1, cells),
+            chain => (cells * (chain.cells / chain.leaf), chain.leaf),
         }
+    }
+
+    /// Into how many parts a member's branch is cut.
+    fn parts_of(&self, member: usize) -> usize {
+        let (leaves, cells) = self.leaves(member);
+        let flat = Map::<R, L, X>::chain(member).is_flat();
+        if flat { cells.div_ceil(PART) } else { leaves.div_ceil((PART / cells).max(1)) }
     }
 
     /// The scalars' kind and operator, if they are the same for all of the memory: it is then one line.
@@ -81,9 +86,9 @@ impl<R: Record, L: Layout<X>, X: Axes> Target<'_, '_, R, L, X> {
 
     /// The scalars of a memory that is one line. A slice ends with its last element, a field somewhere behind it.
     fn scalars(&self, scalar: usize) -> usize {
-        let streams = Map::<R, L, X>::STREAMS;
-        if Map::<R, L, X>::FLAT && streams.count == 1 {
-            self.handle.geometry.cells * streams.streams[0].repeats * (streams.streams[0].item / scalar)
+        if const { Map::<R, L, X>::is_one_run() } {
+            let (item, repeats) = const { Map::<R, L, X>::run_item() };
+            self.handle.geometry.cells * repeats * (item / scalar)
         } else {
             self.bytes() / scalar
         }
@@ -97,18 +102,18 @@ impl<R: Record, L: Layout<X>, X: Axes> Target<'_, '_, R, L, X> {
             line(Line { kind, op, offset: first * scalar, step: scalar, count: PART.min(scalars - first) });
             return;
         }
-        let (leaves, cells) = self.leaves();
         let geometry = &self.handle.geometry;
-        for &(m, op) in self.members {
+        for &(m, op) in self.members.iter().filter(|&&(m, _)| part < self.parts_of(m)) {
+            let (leaves, cells) = self.leaves(m);
             let member = R::Elements::MEMBERS[m];
             let (start, step) = (Map::<R, L, X>::start(geometry, m), Map::<R, L, X>::stride(m));
             let component = Map::<R, L, X>::component(geometry, m);
             for c in 0..member.components {
                 let mut add = |leaf: usize, first: usize, count: usize| {
-                    let offset = leaf * Map::<R, L, X>::LEAF_BYTES + start + c * component + first * step;
+                    let offset = leaf * Map::<R, L, X>::leaf_bytes(m) + start + c * component + first * step;
                     line(Line { kind: member.kind, op, offset, step, count });
                 };
-                if Map::<R, L, X>::FLAT {
+                if Map::<R, L, X>::chain(m).is_flat() {
                     let first = part * PART;
                     add(0, first, PART.min(cells - first));
                 } else {
@@ -137,7 +142,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Scattered for Target<'_, '_, R, L, X> {
     }
 
     fn aligned(&self) -> bool {
-        self.members.iter().all(|&(m, _)| Map::<R, L, X>::STREAMS.aligned(m))
+        self.members.iter().all(|&(m, _)| Map::<R, L, X>::aligned(m))
     }
 
     fn borrow_copy(&self) -> Memory {
@@ -168,8 +173,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Scattered for Target<'_, '_, R, L, X> {
         if let Some((_, _, scalar)) = self.uniform() {
             return self.scalars(scalar).div_ceil(PART);
         }
-        let (leaves, cells) = self.leaves();
-        if Map::<R, L, X>::FLAT { cells.div_ceil(PART) } else { leaves.div_ceil((PART / cells).max(1)) }
+        self.members.iter().map(|&(m, _)| self.parts_of(m)).max().unwrap_or(0)
     }
 
     unsafe fn combine(&self, copy: &Memory, part: usize) {

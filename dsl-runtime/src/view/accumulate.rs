@@ -10,7 +10,9 @@ use crate::element::{Element, component};
 use crate::field::Handle;
 use crate::index::IntoIndex;
 use crate::layout::Layout;
-use crate::number::{BitAnd, BitOr, BitXor, Bits, ComponentMul, Kept, Max, Min, Number, Operator, Product, Sum};
+use crate::number::{
+    BitAnd, BitOr, BitXor, Bits, ComponentMul, Kept, Max, Min, Number, Operator, Product, Sum, Updated,
+};
 use crate::record::{Path, Record};
 
 /// Accumulates into a path of a field at any index. No update is lost: the memory is this job's own, or every component
@@ -80,7 +82,7 @@ where
     #[inline(always)]
     fn apply<O: Operator<<P::Value as Element>::Scalar>>(&self, at: [u32; MAX_AXES], value: P::Value)
     where
-        <P::Value as Element>::Scalar: Number,
+        <P::Value as Element>::Scalar: Updated,
     {
         let (start, step) = self.lane.address(at);
         if self.atomic {
@@ -99,7 +101,7 @@ where
     #[inline(never)]
     fn apply_atomically<O: Operator<<P::Value as Element>::Scalar>>(&self, start: *mut u8, step: usize, value: P::Value)
     where
-        <P::Value as Element>::Scalar: Number,
+        <P::Value as Element>::Scalar: Updated,
     {
         assert!(start.addr().is_multiple_of(size_of::<<P::Value as Element>::Scalar>()));
         for c in 0..P::Value::COMPONENTS {
@@ -108,7 +110,7 @@ where
             // SAFETY: a component of an element within the shape, aligned as asserted (components lie a multiple of
             // their size apart); in an atomic launch every update of the path is atomic.
             unsafe {
-                Number::update(
+                Updated::update(
                     to,
                     #[inline(always)]
                     |old| O::apply(old, by),
@@ -131,7 +133,7 @@ where
     #[track_caller]
     pub fn part<O: Operator<<P::Value as Element>::Scalar>>(&self, _: O, index: impl IntoIndex<X>, value: P::Value)
     where
-        <P::Value as Element>::Scalar: Number,
+        <P::Value as Element>::Scalar: Updated,
     {
         self.apply::<Kept<O>>(self.locate(index), value);
     }
@@ -149,7 +151,7 @@ where
         offset: impl IntoIndex<X>,
         value: P::Value,
     ) where
-        <P::Value as Element>::Scalar: Number,
+        <P::Value as Element>::Scalar: Updated,
     {
         self.apply::<Kept<O>>(self.locate_at(base, offset), value);
     }

@@ -8,6 +8,7 @@ mod lane;
 mod read;
 mod readable;
 mod row;
+mod together;
 
 use core::fmt;
 
@@ -16,10 +17,11 @@ pub use accumulate::negative;
 pub use base::Based;
 pub use beside::Beside;
 pub(crate) use free::Places;
-pub use free::{Free, Var};
+pub use free::{Boxed, Free, Linear, Var};
 pub use read::Read;
 pub use readable::Readable;
 pub use row::{Buffer, Held, Own, Row, buffer};
+pub use together::Together;
 
 pub use free::OwnFree;
 
@@ -27,8 +29,8 @@ use crate::axes::{Axes, MAX_AXES};
 use crate::element::{Element, Packed};
 use crate::field::{Handle, Source, SourceMut};
 use crate::launch::{Border, Run, Space, Task, TwoColours};
-use crate::layout::Layout;
-use crate::record::{Path, Record};
+use crate::layout::{Layout, Map};
+use crate::record::{ElementList, Path, Record};
 
 /// What a panic in a kernel names.
 #[doc(hidden)]
@@ -259,5 +261,26 @@ impl<'a, R: Record, L: Layout<X>, X: Axes> View<'a, R, L, X, true> {
         P::Value: Element,
     {
         Accumulate::new(self.handle.at(task.root(slot)), self.site, task.atomic())
+    }
+
+    /// A view that reads and changes a path at any index where iterations may meet, component by component atomically.
+    #[inline(always)]
+    pub fn together<S: Space, P: Path<R>>(self, task: &Task<'_, S>, _: P) -> Together<'a, R, L, X, P> {
+        Together::new(self.handle, self.site, task.alone())
+    }
+
+    /// A view that accumulates into a path where iterations may also read and write it.
+    #[inline(always)]
+    pub fn accumulate_together<S: Space, P: Path<R>>(self, task: &Task<'_, S>, _: P) -> Accumulate<'a, R, L, X, P>
+    where
+        P::Value: Element,
+    {
+        Accumulate::new(self.handle, self.site, !task.alone())
+    }
+
+    /// Whether every component that a path names lies at a multiple of its size, where it can be reached atomically.
+    pub fn is_aligned<P: Path<R>>(&self, _: P) -> bool {
+        let mut members = 0..R::Elements::MEMBERS.len();
+        P::MEMBER.map_or_else(|| members.all(Map::<R, L, X>::aligned), Map::<R, L, X>::aligned)
     }
 }

@@ -1,10 +1,11 @@
 //! `Read`: a path that the loop only reads, at any index.
 
 use super::lane::Lane;
-use super::{Based, Site};
+use super::{Based, Places, Site};
 use crate::axes::Axes;
 use crate::field::Handle;
 use crate::index::IntoIndex;
+use crate::launch::{Cell, Space};
 use crate::layout::Layout;
 use crate::record::{Path, Record};
 
@@ -47,6 +48,18 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Read<'a, R, L, X, P> {
     pub fn get(&self, index: impl IntoIndex<X>) -> P::Value {
         let at = self.0.locate(index);
         // SAFETY: `at` lies within the shape, and the launch holds the field's borrow under which nothing writes this path.
+        unsafe { self.0.read(at) }
+    }
+
+    /// The value where the loop's variables stand in an index.
+    ///
+    /// # Panics
+    /// Where the index lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub fn get_in<S: Space>(&self, cell: &Cell<'_, S>, places: impl Places) -> P::Value {
+        let at = super::free::locate::<S, X, _>(cell, places, &self.0.handle().geometry.shape, self.0.site());
+        // SAFETY: as in `get`: what `locate` returns lies within the shape.
         unsafe { self.0.read(at) }
     }
 

@@ -9,7 +9,7 @@ use crate::axes::{Axes, MAX_AXES, per_axis, sum};
 use crate::field::Handle;
 use crate::index::within;
 use crate::launch::{Cell, Run, Space};
-use crate::layout::{Digit, Inner, Layout, Map};
+use crate::layout::{Chain, Digit, Layout, Map};
 use crate::record::{ElementList, Path, Record};
 
 /// The longest run whose writes are held back.
@@ -64,9 +64,9 @@ struct Line<'a, R, L, X, P, S> {
 impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, X, P, S> {
     const KIND: Kind = if P::MEMBER.is_none() || S::RANK != X::RANK {
         Kind::Any
-    } else if Map::<R, L, X>::FLAT {
+    } else if Self::CHAIN.is_flat() {
         Kind::Even
-    } else if S::RUN > 0 && same(S::DIGITS, <L::Inner as Inner<X>>::DIGITS) {
+    } else if S::RUN > 0 && same(S::DIGITS, Self::CHAIN.digits) {
         Kind::Blocks
     } else {
         Kind::Any
@@ -76,11 +76,13 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
         None => 0,
     };
 
+    /// The branch that the path's member stands in.
+    const CHAIN: &'static Chain = Map::<R, L, X>::chain(Self::MEMBER);
     const STRIDE: usize = Map::<R, L, X>::stride(Self::MEMBER);
     const COMPONENT: usize = Map::<R, L, X>::constant_component(Self::MEMBER);
     /// Whether other members lie between the values of neighbours, in rows of any length.
     const INTERLEAVED: bool = {
-        let (seat, spec) = (Map::<R, L, X>::STREAMS.seats[Self::MEMBER], R::Elements::MEMBERS[Self::MEMBER]);
+        let (seat, spec) = (Map::<R, L, X>::seat(Self::MEMBER), R::Elements::MEMBERS[Self::MEMBER]);
         matches!(Self::KIND, Kind::Even) && S::RUN == 0 && !seat.split && Self::STRIDE != spec.components * spec.scalar
     };
 
@@ -102,15 +104,15 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
                 #[inline(always)]
                 |a| {
                     let at = run.at[a].wrapping_add(offset[a]) as usize;
-                    at.wrapping_mul(Map::<R, L, X>::root_stride(geometry, a)).wrapping_mul(Self::STRIDE)
+                    at.wrapping_mul(Map::<R, L, X>::root_stride(geometry, Self::MEMBER, a)).wrapping_mul(Self::STRIDE)
                 },
             )),
             Kind::Blocks => Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_add(sum::<X>(
                 #[inline(always)]
                 |a| {
                     if a == S::AXIS {
-                        let stride = Map::<R, L, X>::root_stride(geometry, a);
-                        run.block[a].wrapping_mul(stride).wrapping_mul(Map::<R, L, X>::BLOCK_BYTES)
+                        let stride = Map::<R, L, X>::root_stride(geometry, Self::MEMBER, a);
+                        run.block[a].wrapping_mul(stride).wrapping_mul(Map::<R, L, X>::block_bytes(Self::MEMBER))
                     } else {
                         block_term::<R, L, X>(handle, Self::MEMBER, a, run.block[a], run.inner[a] as i64 + offset[a])
                     }
@@ -131,7 +133,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
         let geometry = &self.handle.geometry;
         match Self::KIND {
             Kind::Even => {
-                let step = Map::<R, L, X>::root_stride(geometry, S::AXIS);
+                let step = Map::<R, L, X>::root_stride(geometry, Self::MEMBER, S::AXIS);
                 let bytes = cell.k.wrapping_mul(step.wrapping_mul(Self::STRIDE));
                 if S::RUN == 0 {
                     // SAFETY: element 0 is visited too, so that it and the cell both lie in the field's memory.
@@ -252,12 +254,12 @@ fn block_term<R: Record, L: Layout<X>, X: Axes>(
     block: usize,
     c: i64,
 ) -> usize {
-    let extent = const { &<L::Inner as Inner<X>>::EXTENT }[axis] as i64;
+    let extent = Map::<R, L, X>::chain(member).extent[axis] as i64;
     let (over, place) = (c.div_euclid(extent), c.rem_euclid(extent));
     block
         .wrapping_add(over as usize)
-        .wrapping_mul(Map::<R, L, X>::root_stride(&handle.geometry, axis))
-        .wrapping_mul(Map::<R, L, X>::BLOCK_BYTES)
+        .wrapping_mul(Map::<R, L, X>::root_stride(&handle.geometry, member, axis))
+        .wrapping_mul(Map::<R, L, X>::block_bytes(member))
         .wrapping_add(Map::<R, L, X>::inner(member, axis, place as usize))
 }
 
@@ -385,7 +387,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b
     /// Whether a run's values lie one after another, as they do in an array.
     const DENSE: bool = {
         let member = Line::<'static, R, L, X, P, S>::MEMBER;
-        let (seat, spec) = (Map::<R, L, X>::STREAMS.seats[member], R::Elements::MEMBERS[member]);
+        let (seat, spec) = (Map::<R, L, X>::seat(member), R::Elements::MEMBERS[member]);
         Map::<R, L, X>::stride(member) == size_of::<P::Value>()
             && spec.components * spec.scalar == size_of::<P::Value>()
             && (!seat.split || spec.components == 1)

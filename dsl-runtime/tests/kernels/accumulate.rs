@@ -34,6 +34,53 @@ fn histograms_lose_no_count() {
     });
 }
 
+/// What was found of a key.
+#[derive(Record, Clone, Copy, Debug, PartialEq)]
+struct Found {
+    any: bool,
+    weight: f64,
+    all: bool,
+    odd: bool,
+}
+
+#[kernel]
+fn find(keys: &Field<u8, _>, found: &mut Field<Found, _>) -> (bool, bool) {
+    let mut seen = (false, true);
+    for p in keys {
+        found.any[keys[p]] |= p > 40_000;
+        found.all[keys[p]] &= p < 49_999;
+        found.odd[keys[p]] ^= true;
+        seen.0 |= keys[p] == 6;
+        seen.1 &= keys[p] < 6;
+    }
+    seen
+}
+
+#[test]
+fn truth_accumulates() {
+    fn run<L: Layout<I>>() {
+        let mut keys = Field::<u8, Soa>::new([50_000]);
+        (0..50_000usize).for_each(|p| keys.set(p, (p * p % 7) as u8));
+        every_schedule(|| {
+            let mut found = Field::<Found, L>::new([7]);
+            found.fill(Found { any: false, weight: 3.0, all: true, odd: false });
+            assert_eq!(find(&keys, &mut found), (false, true));
+            for key in 0..7 {
+                let of = |p: &usize| p * p % 7 == key;
+                let expected = Found {
+                    any: (40_001..50_000).any(|p| of(&p)),
+                    weight: 3.0,
+                    all: !of(&49_999),
+                    odd: (0..50_000).filter(of).count() % 2 == 1,
+                };
+                assert_eq!(found.get(key), expected);
+            }
+        });
+    }
+    run::<Aos>();
+    run::<Split>();
+}
+
 /// What a cell gathers.
 #[derive(Record, Clone, Copy, Default, Debug, PartialEq)]
 struct Cell {

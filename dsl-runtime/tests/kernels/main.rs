@@ -4,12 +4,14 @@ mod accumulate;
 mod axes;
 mod beside;
 mod boundaries;
+mod branches;
 mod captures;
 mod enumerations;
 mod heads;
 // A sanitizer keeps account of all memory, touched or not.
 #[cfg(not(allotrope_sanitized))]
 mod large;
+mod linear;
 mod loops;
 mod mpm;
 mod order;
@@ -18,6 +20,7 @@ mod parts;
 mod random;
 mod reductions;
 mod stencils;
+mod together;
 mod unrolled;
 
 use allotrope::prelude::*;

@@ -247,6 +247,21 @@ fn groups_of_members() {
 }
 
 #[test]
+fn members_in_branches() {
+    check!(of Node: [[5, 7], [16, 16]];
+        (Node: dense(ij).place([v]) + dense(ji).place([m, flags]));
+        (Node: dense(ij).dense(ij, 4).place([flags, v]) + dense(ij).place([split(m)]));
+        (Node: dense(ji).place([m]) + dense(ij).dense(j, 3).place([split(v)]) + morton(ij, 4).place([flags]));
+        (Node: dense(ij, 3).pad(256).place([flags], [m]) + dense(ij).pad(16).place([v]));
+    );
+    check!(of Body: [[37], [64]];
+        (Body: dense(i).place([x, id], [split(frame)]) + dense(i).dense(i, 6).place([spins], [fixed]));
+        (Body: dense(i, 5).place([id]) + dense(i).place([x]) + dense(i).pad(128).place([fixed]) + dense(i).place([split(spins), frame]));
+    );
+    check_columns::<Node, layout!(Node: dense(ij).place([v]) + dense(ji).dense(i, 3).place([flags], [m])), _>([5, 7]);
+}
+
+#[test]
 fn named_layouts_mean_what_their_pages_say() {
     macro_rules! check_named {
         ($shapes:expr; $($text:literal = $layout:ty;)*) => {$(

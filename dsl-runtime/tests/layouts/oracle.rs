@@ -15,6 +15,8 @@ pub(crate) struct Member {
 pub(crate) struct Map {
     pub(crate) offsets: HashMap<(Vec<usize>, usize, usize), usize>,
     pub(crate) bytes: usize,
+    /// What its start is a multiple of.
+    line: usize,
 }
 
 /// The axes of a node as written, and the sizes that are.
@@ -37,7 +39,21 @@ enum Stream {
 /// Interprets the text of a layout for a field of this shape.
 pub(crate) fn map(text: &str, shape: &[usize], members: &[Member]) -> Map {
     let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
-    let chain = text.split_once(':').map_or(text.as_str(), |(_, chain)| chain);
+    let chains = text.split_once(':').map_or(text.as_str(), |(_, chains)| chains);
+    let branches: Vec<Map> = split(chains, '+').into_iter().map(|chain| branch(chain, shape, members)).collect();
+    // Each branch begins at a cache line, or at what the widest padding asks for.
+    let line = branches.iter().map(|branch| branch.line).max().expect("a branch");
+    let mut all = Map { offsets: HashMap::new(), bytes: 0, line };
+    for branch in branches {
+        let start = all.bytes.next_multiple_of(line);
+        all.offsets.extend(branch.offsets.into_iter().map(|(at, offset)| (at, start + offset)));
+        all.bytes = start + branch.bytes;
+    }
+    all
+}
+
+/// One chain of nodes.
+fn branch(chain: &str, shape: &[usize], members: &[Member]) -> Map {
     let mut words = split(chain, '.');
     let place = words.pop().expect("a place");
     let pad: usize = match words.last().and_then(|word| word.strip_prefix("pad")) {
@@ -72,7 +88,7 @@ pub(crate) fn map(text: &str, shape: &[usize], members: &[Member]) -> Map {
     let mut pen =
         Pen { levels, shape, members, streams: streams(place, members), align, cell, at: 0, offsets: HashMap::new() };
     pen.node(0, vec![0; shape.len()]);
-    Map { offsets: pen.offsets, bytes: pen.at }
+    Map { offsets: pen.offsets, bytes: pen.at, line: pad.max(64) }
 }
 
 /// Splits at a character that stands in no brackets.

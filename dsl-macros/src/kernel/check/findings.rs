@@ -56,7 +56,8 @@ fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
                 if !name.ends_with("_unchecked") {
                     error
                         .note("a field of this version has all of its elements, always")
-                        .help("give the record a member that says whether an element is in use, and test that");
+                        .help("give the record a member that says whether an element is in use, and test that")
+                        .help("for a list, take places from a counter, in a loop with `#[relaxed]`: `list[count[()].fetch_add(1)] = ..`");
                 }
             } else {
                 diagnostics
@@ -77,17 +78,33 @@ fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
                 .note("an index over several axes is one tuple or one vector")
                 .help(format!("write `{field}.{name}({example})`"));
         }
-        What::ElementMethod { name } => {
+        What::Exchange { part: true, name, .. } => {
             diagnostics
-                .error(Code::UnavailableMethod, at, format!("`{name}` on an element is not available in this version"))
-                .help("accumulate with `+=`, `min_assign` or their like; where the old value is needed, write `#[serial]` before the loop");
+                .error(
+                    Code::OldValueForm,
+                    at,
+                    format!("`{name}` takes a whole member, and `{text}` names a part of one"),
+                )
+                .note("the old value is taken in one step, which is possible for one integer")
+                .help(
+                    "make the part a member of its own; or, where the old value is not needed, accumulate: `+=`, `|=`",
+                );
+        }
+        What::Exchange { name, takes, .. } => {
+            let (takes, example) =
+                if *takes == 1 { ("one value", "1") } else { ("the current value and the new one", "0, 1") };
+            diagnostics
+                .error(Code::OldValueForm, at, format!("`{name}` takes {takes}"))
+                .note("unlike atomic variables, elements take no `Ordering`: their operations come in any order")
+                .help(format!("write `{name}({example})`"));
         }
         What::AssignmentValue { text, accumulates } => {
             let error = diagnostics.error(Code::AccumulateValue, at, format!("`{text}` has no value"));
             if *accumulates {
                 error
-                    .note("an old value would depend on the order of the threads; `fetch_add` is not available in this version")
-                    .help("write the accumulation as a statement; where the old value is needed, write `#[serial]` before the loop");
+                    .note("an accumulation may be put off until the loop ends, so that there is no old value")
+                    .help("write the accumulation as a statement")
+                    .help("where the old value of an integer is needed, as for places in a list, `fetch_add` and its like return it");
             } else {
                 error.help("write the assignment as a statement");
             }

@@ -46,7 +46,12 @@ pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
                 .note("the kernel must know which index is the iteration's own")
                 .help("write `for p in ..` or `for (i, j) in ..`, and bind anything else with `let` inside");
         }
-        What::LaterAttribute { name } => later_attribute(finding, name, diagnostics),
+        What::RelaxedPlace => {
+            diagnostics
+                .error(Code::RelaxedPlace, at, "`#[relaxed]` goes on a parallel loop")
+                .note("a serial loop, or one inside another loop, meets no other iteration: any access may stand in it")
+                .help("remove it, or move it to the outermost `for`");
+        }
         What::ScatterName { found } => {
             let message = match found.as_str() {
                 "" => "`#[scatter]` needs the name of a schedule".to_owned(),
@@ -121,12 +126,6 @@ fn head(finding: &Finding, upon: &Upon, diagnostics: &mut Diagnostics) {
         Upon::Other => error.help("to use each of some values, loop over a range and look them up inside: `ids[k]`"),
     };
     error.help("to run over any iterator on one thread, write `#[serial]` before the loop");
-}
-
-fn later_attribute(finding: &Finding, name: &str, diagnostics: &mut Diagnostics) {
-    let message = format!("`#[{name}]` is not available in this version");
-    let error = diagnostics.error(Code::UnavailableAttribute, &finding.spot.tokens, message);
-    error.help("accumulate (`+=`, `min_assign`), or write `#[serial]` before the loop");
 }
 
 fn escape(finding: &Finding, how: &str, diagnostics: &mut Diagnostics) {

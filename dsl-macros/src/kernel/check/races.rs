@@ -63,6 +63,7 @@ fn other_half(other: &Access) -> String {
         Use::Write => "is written",
         Use::Update(_, Some(_)) => "is accumulated into",
         Use::Update(_, None) => "is changed",
+        Use::Exchange => "returns its old value",
     };
     format!("`{}` {done} in line {}", other.target.text(), other.spot.line())
 }
@@ -119,6 +120,31 @@ fn report(kernel: &Kernel, number: usize, clash: &Clash, diagnostics: &mut Diagn
                 .help("write the start value in a loop of its own, and accumulate in the next");
         }
         Why::Groups => groups(access, other, &member, diagnostics),
+        Why::OldValue => {
+            diagnostics
+                .error(
+                    Code::OldValueBeside,
+                    &access.spot.tokens,
+                    format!("`{target}` is used in a parallel loop that takes old values of `{}`", name(kernel, other)),
+                )
+                .note(format!("{}: what this access meets would depend on the threads", other_half(other)))
+                .help("take what it returns: `fetch_add(0)` reads; or use the values in a loop of its own, before or after")
+                .help("or write `#[relaxed]` before the loop, where any order will do");
+        }
+        Why::RelaxedOperator => {
+            let Use::Update(op, _) = access.usage() else { return };
+            let op = op.text();
+            let error = diagnostics.error(
+                Code::OperatorScatter,
+                &access.spot.tokens,
+                format!("`{op}` is no accumulation, and other iterations change `{target}`"),
+            );
+            error.note("between reading and writing the element, what another iteration does to it would be lost");
+            if op == "/=" {
+                error.help(format!("multiply by the inverse: `{target} *= 1.0 / ..`"));
+            }
+            error.help("accumulate with one of `+=`, `-=`, `*=`, `min_assign`, `max_assign`, `&=`, `|=`, `^=`, which stay one step");
+        }
         Why::Places => {
             diagnostics
                 .error(Code::OwnPlaces, &access.spot.tokens, format!("`{target}` and `{}` have the loop's variables in different places", other.target.text()))
@@ -200,6 +226,7 @@ fn scatter(found: &Loop, access: &Access, diagnostics: &mut Diagnostics) {
             error
                 .help("turn the loop round so that it gathers: loop over the field that is written, and compute where to read")
                 .help("to add up what meets in one element, accumulate: `+=`, `min_assign`, `max_assign`, `|=`")
+                .help("where any of the values will do, write `#[relaxed]` before the loop")
                 .help("or write `#[serial]` before the loop to run it on one thread");
         }
     }
@@ -274,7 +301,7 @@ fn operator(access: &Access, diagnostics: &mut Diagnostics) {
 fn groups(access: &Access, other: &Access, member: &str, diagnostics: &mut Diagnostics) {
     let text = |usage| match usage {
         Use::Update(op, _) => op.text(),
-        Use::Read | Use::Write => "=",
+        Use::Read | Use::Write | Use::Exchange => "=",
     };
     let (op, first) = (text(access.usage()), text(other.usage()));
     diagnostics

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 
-use super::names::{Ends, hidden, plain, private, span, tag};
+use super::names::{Ends, hidden, numbered, plain, private, span, tag};
 use super::rewrite::Rewrite;
 use super::views::change;
 use crate::kernel::model::{Access, Action, Boundary, UncheckedAccess};
@@ -38,6 +38,10 @@ pub(super) fn access(rewrite: &Rewrite<'_>, access: &Access) -> TokenStream {
             return ends.read(read);
         }
         Action::Write { part, value } | Action::Update { part, value, .. } => (part, rewrite.expr(value)),
+        Action::Exchange { method, arguments } => {
+            let arguments: Vec<_> = arguments.iter().map(|argument| rewrite.expr(argument)).collect();
+            return exchange(&Ends::of(&access.spot), field, (&tag, &index), method, &arguments);
+        }
     };
     // What comes first may read the field, which the write borrows.
     let (new, path, at, target) = (hidden("value"), hidden("path"), hidden("at"), hidden("target"));
@@ -54,6 +58,28 @@ pub(super) fn access(rewrite: &Rewrite<'_>, access: &Access) -> TokenStream {
         let mut #target = #private::read_at(&*#field, #path, #at);
         #change
         #private::write_at(&mut *#field, #path, #at, #target);
+    })
+}
+
+/// `f[index].fetch_add(value)` and its like.
+fn exchange(
+    ends: &Ends,
+    field: &Ident,
+    (tag, index): (&TokenStream, &TokenStream),
+    method: &Ident,
+    arguments: &[TokenStream],
+) -> TokenStream {
+    let private = private();
+    let (path, at, target, old) = (hidden("path"), hidden("at"), hidden("target"), hidden("old"));
+    let locate = function(ends, "locate", quote!(&*#field, #index));
+    let names: Vec<_> = (0..arguments.len()).map(|number| numbered("argument", number)).collect();
+    let exchange = function(ends, &method.to_string(), quote!(&mut #target, #(#names),*));
+    quote!({
+        let (#path, #at, #(#names,)*) = (#tag, #locate, #(#arguments,)*);
+        let mut #target = #private::read_at(&*#field, #path, #at);
+        let #old = #exchange;
+        #private::write_at(&mut *#field, #path, #at, #target);
+        #old
     })
 }
 

@@ -10,7 +10,7 @@ use super::names::{self, Ends, handle, hidden, label, numbered, plain, private, 
 use super::rewrite::{Rewrite, Scope};
 use super::{captures, reductions};
 use crate::kernel::access::{Plan, View, plan};
-use crate::kernel::model::{Boundary, Capture, Group, Head, Kernel, Loop, Sieve};
+use crate::kernel::model::{Boundary, Branch, Capture, Group, Head, Kernel, Loop, Sieve};
 
 /// A loop under expansion.
 pub(super) struct Launch<'a> {
@@ -57,7 +57,7 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
         Launch { kernel, parallel, plan: plan(kernel, number), held: captures::held(parallel), based: BTreeMap::new() };
     let private = private();
     let (space, fits, task, run) = (hidden("space"), hidden("fits"), hidden("task"), hidden("run"));
-    let handles = launch.handles();
+    let (handles, boxes) = (launch.handles(), launch.boxes());
     let (bounds, over) = launch.space();
     let (fits_value, always_fits) = launch.fits();
     let pieces = reductions::pieces(parallel);
@@ -87,6 +87,7 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
             #space_trait
             #bounds
             #handles
+            #boxes
             let #space = #over;
             let #fits = #fits_value;
             #before
@@ -148,17 +149,14 @@ impl Launch<'_> {
         let private = private();
         let host = Rewrite { kernel: self.kernel, scope: Scope::Host };
         match head {
-            Head::Field(field) => {
-                let handle = handle(&self.kernel.fields[*field]);
-                (TokenStream::new(), quote!(#private::over(#handle)))
-            }
-            Head::Interior { field, width } => {
-                let (handle, value) = (handle(&self.kernel.fields[*field]), host.expr(width));
+            Head::Field(branch) => (TokenStream::new(), self.branch(branch, None)),
+            Head::Interior { branch, width } => {
+                let value = host.expr(width);
                 if matches!(**width, Expr::Lit(_)) {
-                    return (TokenStream::new(), quote!(#private::interior(#handle, #value)));
+                    return (TokenStream::new(), self.branch(branch, Some(value)));
                 }
                 let local = Ident::new("__width", Span::mixed_site().located_at(span(width)));
-                (quote!(let #local = #value;), quote!(#private::interior(#handle, #local)))
+                (quote!(let #local = #value;), self.branch(branch, Some(quote!(#local))))
             }
             Head::Sifted { base, sieve } => {
                 let (bounds, space) = self.space_of(base);
@@ -187,10 +185,24 @@ impl Launch<'_> {
         }
     }
 
+    /// All elements of a field but a border, in the order of one branch.
+    fn branch(&self, branch: &Branch, width: Option<TokenStream>) -> TokenStream {
+        let (private, handle) = (private(), handle(&self.kernel.fields[branch.field]));
+        match (branch.path.is_empty(), width) {
+            (true, None) => quote!(#private::over(#handle)),
+            (true, Some(width)) => quote!(#private::interior(#handle, #width)),
+            (false, width) => {
+                let tag = self.tag(branch.field, &branch.path);
+                let width = width.unwrap_or_else(|| quote!(0));
+                quote!(#private::of_branch(#handle, #tag, #width))
+            }
+        }
+    }
+
     /// Whether all rows lie within their fields, and whether that needs no check.
     fn fits(&self) -> (TokenStream, bool) {
         let space = hidden("space");
-        let checks: Vec<_> = self
+        let mut checks: Vec<_> = self
             .plan
             .reach
             .iter()
@@ -200,6 +212,7 @@ impl Launch<'_> {
                 quote!(#space.fits(#handle, #low, #high))
             })
             .collect();
+        checks.extend(self.box_checks(&space));
         if checks.is_empty() {
             return (quote!(true), true);
         }
@@ -261,7 +274,20 @@ impl Launch<'_> {
             });
             quote!(&#handle.target(#slot, &[#(#members),*]))
         });
-        quote!(#private::Options { kernel: #kernel, fits: #fits, heavy: #heavy, scatter: #scatter, targets: &[#(#targets),*] })
+        let mut together = Vec::new();
+        for planned in self.plan.views.iter().filter(|planned| planned.view.is_together()) {
+            let (handle, tag) = (handle(&self.kernel.fields[planned.field]), self.tag(planned.field, &planned.path));
+            together.push(quote!(#handle.is_aligned(#tag)));
+        }
+        let together = match together.as_slice() {
+            [] => quote!(::core::option::Option::None),
+            together => quote!(::core::option::Option::Some(#(#together)&&*)),
+        };
+        quote! {
+            #private::Options {
+                kernel: #kernel, fits: #fits, heavy: #heavy, scatter: #scatter, targets: &[#(#targets),*], together: #together
+            }
+        }
     }
 
     /// Copies of the handles in the job's frame.
@@ -298,6 +324,8 @@ impl Launch<'_> {
                     let offset = self.offset(offset);
                     quote!(let #name = #handle.beside(&#task, #tag, #offset);)
                 }
+                View::Together => quote!(let #name = #handle.together(&#task, #tag);),
+                View::AccumulateTogether => quote!(let #name = #handle.accumulate_together(&#task, #tag);),
                 View::Own | View::Row(_) => TokenStream::new(),
             }
         });
@@ -324,7 +352,7 @@ impl Launch<'_> {
                     let offset = self.offset(offset);
                     views.extend(quote!(let #name = #handle.row(&#run, #tag, #offset);));
                 }
-                View::OwnFree | View::Any | View::Beside(_) | View::Accumulate => {}
+                _ => {}
             }
             if let Some(hoisted) = self.hoisted(number) {
                 hoists.extend(quote!(let #hoisted = #name.get(&#cell);));

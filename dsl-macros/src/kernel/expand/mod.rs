@@ -1,5 +1,6 @@
 //! Model to tokens.
 
+mod boxes;
 mod captures;
 mod host;
 mod launch;

@@ -106,20 +106,21 @@ impl Rewrite<'_> {
                 });
                 quote!(#private::ndrange((#(#ranges)*)))
             }
-            (Head::Field(field), None) => {
-                let (method, field) = (name("", whole), &self.kernel.fields[*field].name);
+            (Head::Field(branch), None) => {
+                let (method, field) = (name("", whole), &self.kernel.fields[branch.field].name);
                 quote!(#private::#method(&*#field))
             }
-            (Head::Field(field), Some(_)) => {
-                let (method, handle) = (name("", whole), super::names::handle(&self.kernel.fields[*field]));
+            (Head::Field(branch), Some(_)) => {
+                let (method, handle) = (name("", whole), super::names::handle(&self.kernel.fields[branch.field]));
                 quote!(#handle.#method())
             }
-            (Head::Interior { field, width }, None) => {
-                let (method, field, width) = (name("interior", ""), &self.kernel.fields[*field].name, self.expr(width));
+            (Head::Interior { branch, width }, None) => {
+                let field = &self.kernel.fields[branch.field].name;
+                let (method, width) = (name("interior", ""), self.expr(width));
                 quote!(#private::#method(&*#field, #width))
             }
-            (Head::Interior { field, width }, Some(_)) => {
-                let handle = super::names::handle(&self.kernel.fields[*field]);
+            (Head::Interior { branch, width }, Some(_)) => {
+                let handle = super::names::handle(&self.kernel.fields[branch.field]);
                 let (method, width) = (name("interior", ""), self.expr(width));
                 quote!(#handle.#method(#width))
             }

@@ -17,8 +17,10 @@ pub(super) fn access(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, ac
     let planned = &launch.plan.views[number];
     let ends = Ends::of(&access.target);
     let view = ends.local(&launch.view_name(number));
-    if planned.view == View::Accumulate {
-        return accumulate(rewrite, launch, node, access, &view);
+    match planned.view {
+        View::Accumulate | View::AccumulateTogether => return accumulate(rewrite, launch, node, access, &view),
+        View::Together => return together(rewrite, access, &view),
+        _ => {}
     }
     if let Some(hoisted) = launch.hoisted(number) {
         let hoisted = ends.local(&hoisted);
@@ -28,20 +30,23 @@ pub(super) fn access(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, ac
         return ends.call(&view, "lent", TokenStream::new());
     }
     let cell = ends.local(&hidden("cell"));
+    let boxed = launch.boxed(node, access, &rewrite.expr(&access.index));
     let places = match planned.view {
+        View::OwnFree | View::Any if boxed.is_some() => quote!(&#cell, #boxed),
         View::Own | View::Row(_) | View::Beside(_) => quote!(&#cell),
         View::OwnFree => {
             let places = promised(rewrite, places(rewrite, access));
             quote!(&#cell, #places)
         }
-        View::Any | View::Accumulate if matches!(access.boundary, Boundary::Checked) => {
-            promised(rewrite, rewrite.expr(&access.index))
-        }
-        View::Any | View::Accumulate => rewrite.expr(&access.index),
+        _ if matches!(access.boundary, Boundary::Checked) => promised(rewrite, rewrite.expr(&access.index)),
+        _ => rewrite.expr(&access.index),
     };
     let based = launch.based(node);
     let read = match (&access.boundary, &based) {
         (Boundary::Checked, Some((base, offset))) => ends.call(&view, "get_at", quote!(&#base, #offset)),
+        (Boundary::Checked, None) if boxed.is_some() && planned.view == View::Any => {
+            ends.call(&view, "get_in", places.clone())
+        }
         (Boundary::Checked, None) => ends.call(&view, "get", places.clone()),
         (Boundary::Clamped, _) => ends.call(&view, "clamped", places.clone()),
         (Boundary::Wrapped, _) => ends.call(&view, "wrapped", places.clone()),
@@ -54,6 +59,7 @@ pub(super) fn access(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, ac
     let (part, value) = match &access.action {
         Action::Read => return ends.read(read),
         Action::Write { part, value } | Action::Update { part, value, .. } => (part, rewrite.expr(value)),
+        Action::Exchange { .. } => unreachable!("an old value is taken through a view of its own"),
     };
     if part.is_empty() && matches!(access.action, Action::Write { .. }) {
         return ends.call(&view, "set", quote!(#places, #value));
@@ -67,6 +73,47 @@ pub(super) fn access(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, ac
         let #new = #value;
         #bind
         let mut #target = #read;
+        #change
+        #write;
+    })
+}
+
+/// Reads, writes or exchanges an element where iterations may meet.
+fn together(rewrite: &Rewrite<'_>, access: &Access, view: &Ident) -> TokenStream {
+    let ends = Ends::of(&access.target);
+    let index = rewrite.expr(&access.index);
+    let (part, value) = match (&access.action, &access.boundary) {
+        (Action::Read, Boundary::Checked) => return ends.read(ends.call(view, "get", promised(rewrite, index))),
+        (Action::Read, Boundary::Clamped) => return ends.read(ends.call(view, "clamped", index)),
+        (Action::Read, Boundary::Wrapped) => return ends.read(ends.call(view, "wrapped", index)),
+        (Action::Read, Boundary::Or(value)) => {
+            let value = rewrite.expr(value);
+            return ends.read(ends.call(view, "or", quote!(#index, #value)));
+        }
+        (Action::Read, Boundary::Lent) => unreachable!("what is handed on is read alone"),
+        (Action::Exchange { method, arguments }, _) => {
+            let ends = Ends::of(&access.spot);
+            let arguments = arguments.iter().map(|argument| rewrite.expr(argument));
+            let index = promised(rewrite, index);
+            return ends.call(view, &method.to_string(), quote!(#index, #(#arguments),*));
+        }
+        (Action::Write { part, value }, _) => (part, rewrite.expr(value)),
+        (Action::Update { .. }, _) => unreachable!("an accumulation has a view of its own"),
+    };
+    let index = promised(rewrite, index);
+    if part.is_empty() {
+        return ends.call(view, "set", quote!(#index, #value));
+    }
+    // The other components may be changed by others meanwhile, and stay as they are.
+    let (new, at, before, target) = (hidden("value"), hidden("at"), hidden("before"), hidden("target"));
+    let change = change(rewrite, &access.action, &target, &new, span(&access.spot.tokens));
+    let read = ends.call(view, "get", quote!(#at));
+    let write = ends.call(view, "set_changes", quote!(#at, #before, #target));
+    quote!({
+        let #new = #value;
+        let #at = #index;
+        let #before = #read;
+        let mut #target = #before;
         #change
         #write;
     })
@@ -123,7 +170,7 @@ fn places(rewrite: &Rewrite<'_>, access: &Access) -> TokenStream {
 /// Changes a copy of the element, `target`, by `value`.
 pub(super) fn change(rewrite: &Rewrite<'_>, action: &Action, target: &Ident, value: &Ident, span: Span) -> TokenStream {
     let (part, op) = match action {
-        Action::Read => return TokenStream::new(),
+        Action::Read | Action::Exchange { .. } => return TokenStream::new(),
         Action::Write { part, .. } => (part, None),
         Action::Update { part, op, .. } => (part, Some(*op)),
     };

@@ -14,23 +14,23 @@ use crate::kernel::model::{
     Access, Action, Assigned, Boundary, Capture, FieldCall, Group, Node, Op, Place, Projection, Reduce, Reduction,
     Spot, UncheckedAccess, What,
 };
-use crate::kernel::syntax::{bare, compound, name_of};
+use crate::kernel::syntax::{bare, compound};
 use crate::kernel::text::text;
 
 /// Methods of fields that the language knows and this version lacks.
 const LATER_FIELD_METHODS: &[&str] = &["append", "try_append", "activate", "deactivate", "is_active", "row"];
 
-/// Methods of elements that the language knows and this version lacks.
-const LATER_ELEMENT_METHODS: &[&str] = &[
-    "fetch_add",
-    "fetch_sub",
-    "fetch_min",
-    "fetch_max",
-    "fetch_or",
-    "fetch_and",
-    "fetch_xor",
-    "swap",
-    "compare_exchange",
+/// Methods of elements that return the old value, and how many arguments each takes.
+const EXCHANGES: &[(&str, usize)] = &[
+    ("fetch_add", 1),
+    ("fetch_sub", 1),
+    ("fetch_min", 1),
+    ("fetch_max", 1),
+    ("fetch_or", 1),
+    ("fetch_and", 1),
+    ("fetch_xor", 1),
+    ("swap", 1),
+    ("compare_exchange", 2),
 ];
 
 impl Lower {
@@ -51,6 +51,7 @@ impl Lower {
         let target_spot = Spot::new(&target);
         let mut index = *target.index;
         let place = self.place(&index);
+        let linear = self.linear(&index, &place);
         // An own index is never evaluated: its place in the loop is what counts.
         if matches!(place, Place::Computed | Place::Places(_)) {
             self.visit_expr_mut(&mut index);
@@ -58,7 +59,7 @@ impl Lower {
         let boundary = Boundary::Checked;
         let (parallel, target) = (self.parallel(), target_spot);
         let Base { field, path } = base;
-        self.access_node(Access { field, path, index, place, action, boundary, parallel, spot, target }, span)
+        self.access_node(Access { field, path, index, place, linear, action, boundary, parallel, spot, target }, span)
     }
 
     fn access_node(&mut self, access: Access, span: Span) -> Expr {
@@ -106,8 +107,9 @@ impl Lower {
             }
         };
         let (Base { field, path }, parallel) = (base, self.parallel());
-        let (action, target, span) = (Action::Read, spot.clone(), spot.tokens.span());
-        *expr = self.access_node(Access { field, path, index, place, action, boundary, parallel, spot, target }, span);
+        let (linear, action, target, span) = (None, Action::Read, spot.clone(), spot.tokens.span());
+        let access = Access { field, path, index, place, linear, action, boundary, parallel, spot, target };
+        *expr = self.access_node(access, span);
     }
 
     /// `field.path.get_unchecked(index)` and `field.path.set_unchecked(index, value)`: whatever the caller promises.
@@ -292,19 +294,35 @@ impl Lower {
             }
             return self.field_method(expr, base.field, base.path.is_empty(), &name);
         }
-        if self.is_access(&call.receiver)
-            && LATER_ELEMENT_METHODS.contains(&name.as_str())
-            && (name != "swap" || call.args.len() == 1)
-        {
-            let method = call.method.clone();
-            self.find(What::ElementMethod { name }, &method);
-            return call.args.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
+        if self.exchange(expr) {
+            return;
         }
+        let Expr::MethodCall(call) = &mut *expr else { return };
         let function = call.method.to_string();
         self.visit_expr_mut(&mut call.receiver);
         for argument in &mut call.args {
             self.visit_argument(argument, &function);
         }
+    }
+
+    /// `field.path[index].fetch_add(value)` and its like; `false` if it is none.
+    fn exchange(&mut self, expr: &mut Expr) -> bool {
+        let Expr::MethodCall(call) = &*expr else { return false };
+        let (name, given) = (call.method.to_string(), call.args.len());
+        let Some(&(_, takes)) = EXCHANGES.iter().find(|(known, _)| *known == name) else { return false };
+        let Some((access, part)) = self.target(&call.receiver) else { return false };
+        // Arrays and slices swap two of their own elements.
+        if name == "swap" && given == 2 {
+            return false;
+        }
+        let (spot, method) = (Spot::new(expr), call.method.clone());
+        let mut arguments: Vec<Expr> = call.args.iter().cloned().collect();
+        arguments.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
+        if given != takes || !part.is_empty() {
+            self.find(What::Exchange { name, takes, part: !part.is_empty() }, &spot.tokens);
+        }
+        *expr = self.access(access, Action::Exchange { method, arguments }, spot);
+        true
     }
 
     fn field_method(&mut self, expr: &mut Expr, field: usize, whole: bool, name: &str) {
@@ -349,7 +367,8 @@ impl Lower {
                 let (index, place, action, boundary) =
                     (Expr::Verbatim(Default::default()), Place::Computed, Action::Read, Boundary::Lent);
                 let target = spot.clone();
-                let access = Access { field, path, index, place, action, boundary, parallel, spot, target };
+                let linear = None;
+                let access = Access { field, path, index, place, linear, action, boundary, parallel, spot, target };
                 *argument = self.access_node(access, span);
             }
             None if parallel.is_some() && self.borrowed_base(argument).is_some() => {
@@ -368,10 +387,5 @@ impl Lower {
             }
             None => visit_mut::visit_expr_mut(self, expr),
         }
-    }
-
-    /// Whether an expression is a name that stands for a field.
-    pub(super) fn field_name(&self, expr: &Expr) -> Option<usize> {
-        self.field(name_of(expr)?)
     }
 }

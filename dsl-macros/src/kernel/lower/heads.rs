@@ -7,7 +7,8 @@ use syn::spanned::Spanned;
 use syn::{Expr, RangeLimits, Token};
 
 use super::Lower;
-use crate::kernel::model::{Head, Sieve, Upon, What};
+use super::targets::Base;
+use crate::kernel::model::{Branch, Head, Sieve, Upon, What};
 use crate::kernel::syntax::{bare, integer};
 use crate::kernel::text::text;
 
@@ -43,13 +44,15 @@ impl Lower {
 
     /// A head over a field: `f`, `f.interior(w)`, `f.border(w)`, and the colours of one. Other methods of fields are findings where the loop is parallel.
     pub(super) fn field_head(&mut self, expr: &mut Expr, parallel: bool) -> Option<Head> {
-        if let Some(field) = self.field_name(expr) {
-            return Some(Head::Field(field));
-        }
-        if let (true, Some(base)) = (parallel, self.base(expr)) {
-            debug_assert!(!base.path.is_empty());
-            self.find(What::MemberHead, expr);
-            return Some(Head::Invalid);
+        match self.head_branch(expr) {
+            Some(branch) if branch.path.is_empty() || !self.kernel.fields[branch.field].storage.is_single() => {
+                return Some(Head::Field(branch));
+            }
+            Some(_) if parallel => {
+                self.find(What::MemberHead, expr);
+                return Some(Head::Invalid);
+            }
+            _ => {}
         }
         let whole = expr.clone();
         if let Some(colour) = self.colour_head(expr, parallel) {
@@ -61,7 +64,7 @@ impl Lower {
             self.find(What::LaterHead { name }, &call.method.clone());
             return Some(Head::Invalid);
         }
-        let field = self.field_name(&call.receiver)?;
+        let branch = self.head_branch(&call.receiver)?;
         if !matches!(name.as_str(), "interior" | "border") || call.args.len() != 1 {
             if parallel {
                 let upon = self.upon(&whole);
@@ -74,9 +77,14 @@ impl Lower {
         self.visit_expr_mut_free(&mut width);
         let width = Box::new(width);
         Some(match name.as_str() {
-            "border" => Head::Sifted { base: Box::new(Head::Field(field)), sieve: Sieve::Border(width) },
-            _ => Head::Interior { field, width },
+            "border" => Head::Sifted { base: Box::new(Head::Field(branch)), sieve: Sieve::Border(width) },
+            _ => Head::Interior { branch, width },
         })
+    }
+
+    /// A field, or a member of the branch that is meant.
+    fn head_branch(&self, expr: &Expr) -> Option<Branch> {
+        self.base(expr).map(|Base { field, path }| Branch { field, path })
     }
 
     /// One colour of a head over a field: `f.checkerboard(c)`, `f.interior(w).colored(n, c)`.

@@ -91,6 +91,9 @@ impl Lower {
 
     pub(super) fn visit_jump(&mut self, expr: &mut Expr) {
         visit_mut::visit_expr_mut(&mut Inner(self), expr);
+        if let Some(number) = self.parallel() {
+            self.kernel.loops[number].jumps = true;
+        }
         let span = expr.span();
         match expr {
             Expr::Continue(jump) => match self.destination(jump.label.as_ref()) {

@@ -21,8 +21,8 @@ struct Attributes {
     /// Whether its turns are taken one after another, and its body is top level.
     ordered: bool,
     scatter: Option<Ident>,
-    /// Whether an attribute that is not available was found.
-    later: bool,
+    /// `#[relaxed]`: whether iterations may meet in elements.
+    relaxed: Option<Attribute>,
     /// Those that are Rust's.
     others: Vec<Attribute>,
 }
@@ -35,9 +35,12 @@ impl Lower {
             Expr::Macro(call) if call.mac.path.is_ident("unroll") => Some(call.mac.tokens.clone()),
             _ => None,
         };
-        let parallel = self.mode == Mode::Top && !attributes.serial && !attributes.ordered && !attributes.later;
+        let parallel = self.mode == Mode::Top && !attributes.serial && !attributes.ordered;
         if !parallel && let Some(scatter) = &attributes.scatter {
             self.find(What::ScatterPlace, scatter);
+        }
+        if !parallel && let Some(relaxed) = &attributes.relaxed {
+            self.find(What::RelaxedPlace, relaxed);
         }
         if parallel {
             self.parallel_loop(expr, attributes);
@@ -56,10 +59,7 @@ impl Lower {
             match name.as_str() {
                 "serial" => found.serial = true,
                 "ordered" => found.ordered = true,
-                "relaxed" => {
-                    found.later = true;
-                    self.find(What::LaterAttribute { name }, &attribute);
-                }
+                "relaxed" => found.relaxed = Some(attribute),
                 "scatter" => found.scatter = self.scatter(&attribute),
                 _ => found.others.push(attribute),
             }
@@ -111,6 +111,7 @@ impl Lower {
             tuple,
             rank,
             scatter: attributes.scatter,
+            relaxed: attributes.relaxed.is_some(),
             attributes: attributes.others,
             body: empty,
             spot,
@@ -122,12 +123,14 @@ impl Lower {
             macros: Vec::new(),
             inner: Vec::new(),
             loops: false,
+            jumps: false,
             continues: false,
             shapes: BTreeSet::new(),
             unchecked: BTreeMap::new(),
         });
         self.mode = Mode::Parallel(number);
         let depth = mem::replace(&mut self.loop_depth, self.scopes.depth());
+        let branches = mem::take(&mut self.branches);
         self.targets.push(Target::Parallel { number, label: label_name(&repeat.label) });
         self.scopes.enter();
         for variable in variables.iter().flatten() {
@@ -137,6 +140,7 @@ impl Lower {
         self.scopes.leave();
         self.targets.pop();
         self.loop_depth = depth;
+        self.branches = branches;
         self.mode = Mode::Top;
         self.kernel.loops[number].body = body;
         self.separate_reductions(number);
@@ -192,7 +196,7 @@ impl Lower {
         }
         self.scopes.enter();
         self.bind_pattern(&repeat.pat);
-        self.visit_block_mut(&mut repeat.body);
+        self.branch(|this| this.visit_block_mut(&mut repeat.body));
         self.scopes.leave();
         self.targets.pop();
         self.mode = mode;

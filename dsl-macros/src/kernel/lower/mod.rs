@@ -4,6 +4,7 @@ mod accesses;
 mod heads;
 mod index;
 mod jumps;
+mod linear;
 mod loops;
 pub(super) mod macros;
 mod scope;
@@ -63,8 +64,15 @@ fn walk(mut function: ItemFn, options: TokenStream, mode: Mode) -> Kernel {
         handed_on: BTreeSet::new(),
         suspicions: Vec::new(),
     };
-    let mut lower =
-        Lower { kernel, mode, scopes: Scopes::default(), targets: Vec::new(), statement: false, loop_depth: 0 };
+    let mut lower = Lower {
+        kernel,
+        mode,
+        scopes: Scopes::default(),
+        targets: Vec::new(),
+        statement: false,
+        loop_depth: 0,
+        branches: 0,
+    };
     lower.scopes.enter();
     lower.bind_parameters();
     lower.visit_block_mut(&mut body);
@@ -83,6 +91,8 @@ struct Lower {
     statement: bool,
     /// The depth of scopes at the parallel loop: what lies below comes from outside.
     loop_depth: usize,
+    /// How many branches of the parallel loop's body are around, which iterations may pass by.
+    branches: usize,
 }
 
 impl Lower {
@@ -175,11 +185,18 @@ impl Lower {
                 self.visit_expr_mut(&mut init.expr);
             }
             if let Some((_, diverge)) = &mut init.diverge {
-                self.visit_expr_mut(diverge);
+                self.branch(|this| this.visit_expr_mut(diverge));
             }
         }
         self.visit_pat_mut(&mut local.pat);
         self.bind_pattern(&local.pat);
+    }
+
+    /// Visits what iterations may pass by.
+    fn branch(&mut self, visit: impl FnOnce(&mut Self)) {
+        self.branches += 1;
+        visit(self);
+        self.branches -= 1;
     }
 
     fn visit_closure(&mut self, closure: &mut syn::ExprClosure) {
@@ -193,7 +210,7 @@ impl Lower {
             self.bind_pattern(input);
         }
         let known = self.kernel.nodes.len();
-        self.visit_statement(&mut closure.body);
+        self.branch(|this| this.visit_statement(&mut closure.body));
         self.targets.pop();
         self.scopes.leave();
         self.mode = mode;
@@ -208,10 +225,10 @@ impl Lower {
     fn visit_if(&mut self, branch: &mut syn::ExprIf) {
         self.scopes.enter();
         self.visit_expr_mut(&mut branch.cond);
-        self.visit_block_mut(&mut branch.then_branch);
+        self.branch(|this| this.visit_block_mut(&mut branch.then_branch));
         self.scopes.leave();
         if let Some((_, otherwise)) = &mut branch.else_branch {
-            self.visit_statement(otherwise);
+            self.branch(|this| this.visit_statement(otherwise));
         }
     }
 
@@ -220,10 +237,12 @@ impl Lower {
         for arm in &mut choice.arms {
             self.scopes.enter();
             self.bind_pattern(&arm.pat);
-            if let Some((_, guard)) = &mut arm.guard {
-                self.visit_expr_mut(guard);
-            }
-            self.visit_statement(&mut arm.body);
+            self.branch(|this| {
+                if let Some((_, guard)) = &mut arm.guard {
+                    this.visit_expr_mut(guard);
+                }
+                this.visit_statement(&mut arm.body);
+            });
             self.scopes.leave();
         }
     }
@@ -258,13 +277,13 @@ impl Lower {
                 self.inner_loop(repeat.label.as_ref());
                 self.scopes.enter();
                 self.visit_expr_mut(&mut repeat.cond);
-                self.visit_block_mut(&mut repeat.body);
+                self.branch(|this| this.visit_block_mut(&mut repeat.body));
                 self.scopes.leave();
                 self.targets.pop();
             }
             Expr::Loop(repeat) => {
                 self.inner_loop(repeat.label.as_ref());
-                self.visit_block_mut(&mut repeat.body);
+                self.branch(|this| this.visit_block_mut(&mut repeat.body));
                 self.targets.pop();
             }
             Expr::Let(condition) => {
@@ -275,6 +294,10 @@ impl Lower {
                 self.statement = statement;
                 self.visit_expr_mut(&mut paren.expr);
                 self.statement = false;
+            }
+            Expr::Binary(binary) if matches!(binary.op, syn::BinOp::And(_) | syn::BinOp::Or(_)) => {
+                self.visit_expr_mut(&mut binary.left);
+                self.branch(|this| this.visit_expr_mut(&mut binary.right));
             }
             Expr::Binary(binary) => {
                 self.note_remainder(binary);

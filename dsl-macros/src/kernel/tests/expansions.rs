@@ -41,6 +41,7 @@ fn saxpy(
                 heavy: false,
                 scatter: ::core::option::Option::None,
                 targets: &[],
+                together: ::core::option::Option::None,
             },
             #[inline(always)]
             |__task| {
@@ -136,6 +137,7 @@ fn smooth(
                 heavy: false,
                 scatter: ::core::option::Option::None,
                 targets: &[],
+                together: ::core::option::Option::None,
             },
             #[inline(always)]
             |__task| {
@@ -259,6 +261,7 @@ fn scatter(
                             ],
                         ),
                 ],
+                together: ::core::option::Option::None,
             },
             #[inline(always)]
             |__task| {
@@ -481,6 +484,7 @@ fn checked(u: &mut Field<f32, impl ::allotrope::Layout<::allotrope::I>>) {
                     heavy: false,
                     scatter: ::core::option::Option::None,
                     targets: &[],
+                    together: ::core::option::Option::None,
                 },
                 #[inline(always)]
                 |__task| {

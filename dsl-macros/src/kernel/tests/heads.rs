@@ -26,7 +26,7 @@ fn the_list_of_heads_is_closed() {
     ] {
         body(&format!("for {head} {{ let _ = 1; }}"), &["A0110"]);
     }
-    body("for i in u.m { let _ = 1; }", &["A0110"]);
+    body("for i in u.m { u.m[i] = 1; } for i in u.m.interior(1) { u.v[i] += v.m[i]; }", &[]);
     body("for i in unroll!(0..3) { let _ = 1; }", &["A0110"]);
     body("for i in ndrange!(0..3, 0..4) {}", &[]);
 }
@@ -73,7 +73,7 @@ fn parts_of_fields() {
         body(&format!("for (i, j) in {head} {{}}"), &["A0110"]);
     }
     body("for (i, j) in u.checkerboard(0).interior(1) {}", &["A0110"]);
-    body("for (i, j) in u.m.checkerboard(0) {}", &["A0110"]);
+    body("for (i, j) in u.m.checkerboard(0) {} for (i, j) in u.m.border(1).colored(2, n) {}", &[]);
     body("for (i, j) in u.interior(1).checkerboard(n) { u[(i, j)] = v[(i - 2, j)]; }", &["A0209"]);
     body("for (i, j) in u.border(1) { u[(i, j)] = v[(i - 2, j)]; }", &[]);
     body("for (i, j) in u.checkerboard(0) { u[(i, j)] = u[(i - 1, j - 1)]; }", &["A0201"]);
@@ -93,7 +93,13 @@ fn the_body_of_an_ordered_loop_is_top_level() {
 #[test]
 fn heads_of_later_versions() {
     body("for a in p { for e in u.row(a) {} }", &["A0113"]);
-    body("#[relaxed] for a in p { p[a] = 1.0; }", &["A0114"]);
+    body("#[relaxed] for a in p { p[a] = 1.0; p[q[a]] = 2.0; p[q[a]] += 1; p[0] *= p[1]; p[n].m = 3; }", &[]);
+    body("#[relaxed] for a in p { p[q[a]] /= 2.0; p[a] |= 1; p[a] <<= 1; }", &["A0212", "A0212"]);
+    body("#[relaxed] for a in p { p[a] /= 2.0; p[q[a]] = 1.0; }", &["A0212"]);
+    body("#[relaxed] for a in p { p[a] /= 2.0; let y = p[a]; }", &[]);
+    body("#[relaxed] for a in p { p[n] = f(p); }", &["A0214"]);
+    body("#[relaxed] #[serial] for a in p { p[n] = x; }", &["A0124"]);
+    body("for a in p { #[relaxed] for b in 0..3 { p[a] = x; } }", &["A0124"]);
 }
 
 #[test]

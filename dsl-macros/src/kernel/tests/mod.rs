@@ -6,7 +6,6 @@ use super::{check, lower, parse};
 use crate::diagnostics::Diagnostics;
 
 mod accepted;
-mod conflicts;
 mod expansions;
 mod functions;
 mod heads;

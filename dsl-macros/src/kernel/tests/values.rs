@@ -46,7 +46,18 @@ fn methods_of_fields_and_elements() {
         body(&format!("for a in p {{ p.{method}; }}"), &["A0208"]);
         body(&format!("p.m.{method};"), &["A0208"]);
     }
-    body("for a in q { p[n].fetch_add(1); p[n].swap(1); }", &["A0215", "A0215"]);
+    body("for a in q { p[n].fetch_add(1); p[n].swap(1); }", &[]);
+    body("for a in q { p[n].compare_exchange(1, 2); p.m[q[a]].fetch_or(1); }", &[]);
+    body("for a in p { p[a].fetch_add(1); p[a] += 1; let y = p[a]; }", &[]);
+    body("for a in q { p[n].fetch_add(1); p[n] += 1; }", &["A0224"]);
+    body("for a in q { p.m[n].fetch_add(1); let y = p[q[a]]; }", &["A0224"]);
+    body("for a in p { p[q[a]].swap(1); p[a] = 1; }", &["A0224"]);
+    body("for a in p { p.m[q[a]].swap(1); p.v[a] = 1; }", &[]);
+    body("for a in p { p[a].m = q[n].fetch_add(1); }", &["A0207"]);
+    body("#[relaxed] for a in p { p[q[a]].swap(1); p[a] = 1; }", &[]);
+    body("#[serial] for a in p { p[q[a]].swap(1); p[a] = 1; } let y = p[0].fetch_add(n);", &[]);
+    body("for a in q { p[n].x.fetch_add(1); p[n].fetch_add(1, x); p[n].swap(); }", &["A0225", "A0225", "A0225"]);
+    body("for a in q { p[n].compare_exchange(1); }", &["A0225"]);
     body("for a in p { p.fill(x); p.members(); }", &["A0216", "A0216"]);
     body("for a in p { p.m.fill(x); }", &["A0216"]);
     body("for a in p { p[a] = (p.len() + u.shape()[0]) as f32; p[a].swap(0, 1); }", &[]);

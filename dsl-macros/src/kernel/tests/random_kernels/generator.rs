@@ -152,7 +152,10 @@ impl Generator {
                 let (reads, operator) = (self.reads(), self.operator());
                 Statement::Update(self.change(), operator, reads)
             }
-            72..76 => Statement::Reduce(self.operator()),
+            72..76 => {
+                let operator = self.operator();
+                Statement::Reduce(if operator == FETCH { OPERATORS[0] } else { operator })
+            }
             76 => Statement::Sum(*self.random.of(&[SumUse::Read, SumUse::Assign])),
             77..87 if depth < 2 => self.inner(depth),
             87..94 if depth < 2 => {

@@ -103,10 +103,10 @@ pub(super) enum SumUse {
 pub(super) struct Condition(pub(super) Term, pub(super) i32);
 
 /// The operators, and their groups; none for what accumulates nothing.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub(super) struct Operator(pub(super) &'static str, pub(super) Option<u8>);
 
-pub(super) const OPERATORS: [Operator; 8] = [
+pub(super) const OPERATORS: [Operator; 9] = [
     Operator("+=", Some(0)),
     Operator("-=", Some(0)),
     Operator("*=", Some(1)),
@@ -115,7 +115,11 @@ pub(super) const OPERATORS: [Operator; 8] = [
     Operator("|=", Some(4)),
     Operator("/=", None),
     Operator("<<=", None),
+    FETCH,
 ];
+
+/// It returns the old value: elements have it, and reductions have not.
+pub(super) const FETCH: Operator = Operator("fetch_add", Some(5));
 
 /// One element, or a component of one.
 pub(super) struct Access {

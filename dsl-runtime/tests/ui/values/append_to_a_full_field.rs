@@ -1,0 +1,11 @@
+//! A field of this version has all of its elements.
+use allotrope::prelude::*;
+
+#[kernel]
+fn wrong(keys: &Field<u32, _>, list: &mut Field<u32, _>) {
+    for p in keys {
+        list.append(keys[p]);
+    }
+}
+
+fn main() {}
