@@ -41,7 +41,7 @@ impl<X: Spatial> Transfers<X> {
         // Rounded towards zero, which is down: no place is below the first node.
         let base = (xp - self.constants.reach()).to_index();
         let fx = xp - base.to_vec();
-        let (weights, slopes) = self.constants.spline::<X>(fx);
+        let [weights, slopes] = self.constants.spline::<X>(fx);
         Stencil { base, fx, weights, slopes }
     }
 
@@ -110,7 +110,7 @@ impl<X: Spatial> Stencil<X> {
     /// Polynomials along each axis that are orthogonal in the sum over the nodes of a quadratic spline, weighted by it:
     /// the constant, the place, and a square (Fu et al. 2017, section 4.2), at a node; and the sums of their squares.
     #[inline(always)]
-    pub fn polynomials(&self, offset: X::Index) -> ([X::Vec<f32>; 3], [X::Vec<f32>; 3]) {
+    pub fn polynomials(&self, offset: X::Index) -> [[X::Vec<f32>; 3]; 2] {
         let [one, quarter] = [1.0, 0.25].map(X::Vec::<f32>::splat);
         let places = [0.0, 1.0, 2.0].map(|node| -self.fx + node);
         let weighted =
@@ -119,6 +119,6 @@ impl<X: Spatial> Stencil<X> {
         let square = |at: X::Vec<f32>| at * at - third * 4.0 * at - quarter;
         let norm = weighted(places.map(|at| square(at) * square(at)));
         let here = offset.to_vec::<f32>() - self.fx;
-        ([one, here, square(here)], [one, quarter, norm])
+        [[one, here, square(here)], [one, quarter, norm]]
     }
 }
