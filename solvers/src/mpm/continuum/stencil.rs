@@ -112,13 +112,18 @@ impl<X: Spatial> Stencil<X> {
     #[inline(always)]
     pub fn polynomials(&self, offset: X::Index) -> [[X::Vec<f32>; 3]; 2] {
         let [one, quarter] = [1.0, 0.25].map(X::Vec::<f32>::splat);
-        let places = [0.0, 1.0, 2.0].map(|node| -self.fx + node);
-        let weighted =
-            |of: [X::Vec<f32>; 3]| self.weights[0] * of[0] + self.weights[1] * of[1] + self.weights[2] * of[2];
-        let third = weighted(places.map(|at| at * at * at));
+        let third = self.over_nodes(|weight, at| weight * at * at * at);
         let square = |at: X::Vec<f32>| at * at - third * 4.0 * at - quarter;
-        let norm = weighted(places.map(|at| square(at) * square(at)));
+        let norm = self.over_nodes(|weight, at| weight * square(at) * square(at));
         let here = offset.to_vec::<f32>() - self.fx;
         [[one, here, square(here)], [one, quarter, norm]]
+    }
+
+    /// The sum over the three nodes of a quadratic spline, along each axis, of what follows from a node's weight and its
+    /// place from the particle in cells.
+    #[inline(always)]
+    fn over_nodes(&self, term: impl Fn(X::Vec<f32>, X::Vec<f32>) -> X::Vec<f32>) -> X::Vec<f32> {
+        let term = |node: usize| term(self.weights[node], -self.fx + node as f32);
+        term(0) + term(1) + term(2)
     }
 }
