@@ -72,7 +72,7 @@
 //! | `.aos` | record after record |
 //! | `.soa` | for each member, all values of the node |
 //! | `.split` | for each scalar component of each member, all values of the node |
-//! | `.place([v, m], [split(c)])` | groups: each is interleaved, groups follow one another; `split` takes a member apart. Written with its record: `layout!(Node: dense(ij).place(..))` |
+//! | `.place([v, m], [split(c)])` | groups: each is interleaved, groups follow one another; `split` takes a member apart. Written with its record: `layout!(Node: dense(ij).place(..))`, and its parameters if it has some: [`layout!(Node<X>: ..)`](layout::PlaceGroups) |
 //! | `chain + chain` | branches: members under different nodes, `layout!(Node: dense(ij).place([v]) + dense(ji).dense(j, 8).place([m]))`. Every member stands in one of them, all go over the same axes, and there are four at most. A loop then names the branch by a member: `for ij in grid.m` |
 //!
 //! Named ones, for any axes: [`Aos`](layout::Aos), [`Soa`](layout::Soa), [`Split`](layout::Split), [`AoSoA<N>`](layout::AoSoA) (blocks of `N` along the last

@@ -101,6 +101,14 @@ fn a_record_without_groups_is_a_type_still() {
 }
 
 #[test]
+fn a_record_with_parameters_is_named_where_they_are_known() {
+    let text = short(quote!(Node<X>: dense(i).aos));
+    assert_eq!(text, "Tree<0x1,PlaceAos>");
+    let text = short(quote!(sim::Node<X, f32>: dense(i).place([v])));
+    assert_eq!(text, "Tree<0x1,PlaceGroups<sim::Node<X,f32>,((Named<0x76000000000000000000000000000000,0x0>,),)>>");
+}
+
+#[test]
 fn a_layout_with_errors_is_a_layout_that_carries_them() {
     assert_snapshot!(formatted(quote!(dens(ij).dense(jk))), @r##"
     type Layout = ::allotrope::layout::Tree<

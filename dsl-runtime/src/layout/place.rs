@@ -70,6 +70,33 @@ impl<const BYTES: usize, P: Place> Place for Padded<BYTES, P> {
 }
 
 /// `.place([v, m], [flags])`: groups of the members of `R`, each interleaved, one group after another.
+///
+/// A record with parameters is written with them:
+///
+/// ```
+/// use allotrope::prelude::*;
+/// use allotrope::spatial::*;
+///
+/// #[derive(Record, Clone, Copy, Default)]
+/// struct Node<X: Spatial> { v: X::Vec<f32>, m: f32 }
+///
+/// type Apart<X> = layout!(Node<X>: dense(ij).place([m], [v]));
+///
+/// let mut grid = Field::<Node<Ij>, Apart<Ij>>::new([4, 4]);
+/// grid.set([1, 2], Node { v: Vec2::ONE, m: 2.0 });
+/// assert_eq!(grid.get([1, 2]).v, Vec2::ONE);
+/// ```
+///
+/// Then a member that is unknown, or left out, is an error where a field is made:
+///
+/// ```compile_fail,E0080
+/// # use allotrope::prelude::*;
+/// # use allotrope::spatial::*;
+/// # #[derive(Record, Clone, Copy, Default)]
+/// # struct Node<X: Spatial> { v: X::Vec<f32>, m: f32 }
+/// type Apart<X> = layout!(Node<X>: dense(ij).place([m]));
+/// let grid = Field::<Node<Ij>, Apart<Ij>>::new([4, 4]);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct PlaceGroups<R, G>(core::marker::PhantomData<fn() -> (R, G)>);
 impl<R, G> Sealed for PlaceGroups<R, G> {}

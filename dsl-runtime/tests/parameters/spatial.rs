@@ -18,6 +18,9 @@ struct Node<X: Spatial, T: Real> {
     m: T,
 }
 
+/// A layout that names members, whatever the parameters.
+type Parted<X, T> = layout!(Point<X, T>: dense(i).dense(i, 4).place([x, v], [split(c)]));
+
 /// Quadratic B-spline weights of the three nodes along each axis.
 fn weights<X: Spatial, T: Real>(fx: X::Vec<T>) -> [X::Vec<T>; 3] {
     let real = T::from_f64;
@@ -143,6 +146,14 @@ fn mass_and_momentum_are_kept_in_plane_and_space() {
         }
     }
     run::<Ij, f32, Aos, _>(|| Field::<Node<Ij, f32>, Aos>::new([8, 8]), 1e-5);
+    run::<Ij, f32, Parted<Ij, f32>, _>(
+        || Field::<Node<Ij, f32>, layout!(Node<Ij, f32>: dense(ij).place([m], [v]))>::new([8, 8]),
+        1e-5,
+    );
+    run::<Ijk, f64, Parted<Ijk, f64>, _>(
+        || Field::<Node<Ijk, f64>, layout!(Node<Ijk, f64>: dense(ijk).soa)>::new([8, 8, 9]),
+        1e-13,
+    );
     run::<Ij, f64, Split, _>(|| Field::<Node<Ij, f64>, Morton<4>>::new([8, 9]), 1e-13);
     run::<Ijk, f64, AoSoA<4>, _>(|| Field::<Node<Ijk, f64>, Soa>::new([8, 9, 8]), 1e-13);
 }

@@ -65,21 +65,21 @@ impl Constants {
     /// Weights of the nodes along each axis, and their derivatives by the particle's place in cells, where `fx` is the
     /// distance from the first of them in cells (Jiang et al. 2016, eq. 122 to 124).
     #[inline(always)]
-    pub fn spline<X: Spatial>(&self, fx: X::Vec<f32>) -> ([X::Vec<f32>; 4], [X::Vec<f32>; 4]) {
+    pub fn spline<X: Spatial>(&self, fx: X::Vec<f32>) -> [[X::Vec<f32>; 4]; 2] {
         let [zero, one] = [0.0, 1.0].map(X::Vec::<f32>::splat);
         match self.width {
-            2 => ([one - fx, fx, zero, zero], [-one, one, zero, zero]),
+            2 => [[one - fx, fx, zero, zero], [-one, one, zero, zero]],
             3 => {
                 let (first, middle, last) = (-fx + 1.5, fx - 1.0, fx - 0.5);
-                (
+                [
                     [first * first * 0.5, -(middle * middle) + 0.75, last * last * 0.5, zero],
                     [-first, middle * -2.0, last, zero],
-                )
+                ]
             }
             _ => {
                 // From the second node, and from the third.
                 let (a, b) = (fx - 1.0, -fx + 2.0);
-                (
+                [
                     [
                         b * b * b / 6.0,
                         (a * 0.5 - 1.0) * a * a + 2.0 / 3.0,
@@ -87,7 +87,7 @@ impl Constants {
                         a * a * a / 6.0,
                     ],
                     [b * b * -0.5, (a * 1.5 - 2.0) * a, (-b * 1.5 + 2.0) * b, a * a * 0.5],
-                )
+                ]
             }
         }
     }

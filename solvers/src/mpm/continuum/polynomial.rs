@@ -75,7 +75,7 @@ pub fn count_broken<X: Dimensions>(points: &Field<PolynomialPoint<X>, _>, mpm: &
 
 /// The velocity of a polynomial field at a node.
 fn velocity<X: Dimensions>(modes: &[X::Vec<f32>], stencil: &Stencil<X>, offset: X::Index) -> X::Vec<f32> {
-    let (values, _) = stencil.polynomials(offset);
+    let [values, _] = stencil.polynomials(offset);
     let mut v = X::Vec::<f32>::zero();
     for (&mode, powers) in modes.iter().zip(X::MODES) {
         v += mode * product::<X>(&values, powers);
@@ -85,7 +85,7 @@ fn velocity<X: Dimensions>(modes: &[X::Vec<f32>], stencil: &Stencil<X>, offset: 
 
 /// Adds what a node's velocity says of each mode.
 fn project<X: Dimensions>(modes: &mut [X::Vec<f32>], stencil: &Stencil<X>, offset: X::Index, there: X::Vec<f32>) {
-    let (values, norms) = stencil.polynomials(offset);
+    let [values, norms] = stencil.polynomials(offset);
     let weighted = there * stencil.weight(offset);
     for (mode, powers) in modes.iter_mut().zip(X::MODES) {
         *mode += weighted * (product::<X>(&values, powers) / product::<X>(&norms, powers));

@@ -41,7 +41,7 @@ impl<X: Spatial> Transfers<X> {
         // Rounded towards zero, which is down: no place is below the first node.
         let base = (xp - self.constants.reach()).to_index();
         let fx = xp - base.to_vec();
-        let (weights, slopes) = self.constants.spline::<X>(fx);
+        let [weights, slopes] = self.constants.spline::<X>(fx);
         Stencil { base, fx, weights, slopes }
     }
 
@@ -110,15 +110,20 @@ impl<X: Spatial> Stencil<X> {
     /// Polynomials along each axis that are orthogonal in the sum over the nodes of a quadratic spline, weighted by it:
     /// the constant, the place, and a square (Fu et al. 2017, section 4.2), at a node; and the sums of their squares.
     #[inline(always)]
-    pub fn polynomials(&self, offset: X::Index) -> ([X::Vec<f32>; 3], [X::Vec<f32>; 3]) {
+    pub fn polynomials(&self, offset: X::Index) -> [[X::Vec<f32>; 3]; 2] {
         let [one, quarter] = [1.0, 0.25].map(X::Vec::<f32>::splat);
-        let places = [0.0, 1.0, 2.0].map(|node| -self.fx + node);
-        let weighted =
-            |of: [X::Vec<f32>; 3]| self.weights[0] * of[0] + self.weights[1] * of[1] + self.weights[2] * of[2];
-        let third = weighted(places.map(|at| at * at * at));
+        let third = self.over_nodes(|weight, at| weight * at * at * at);
         let square = |at: X::Vec<f32>| at * at - third * 4.0 * at - quarter;
-        let norm = weighted(places.map(|at| square(at) * square(at)));
+        let norm = self.over_nodes(|weight, at| weight * square(at) * square(at));
         let here = offset.to_vec::<f32>() - self.fx;
-        ([one, here, square(here)], [one, quarter, norm])
+        [[one, here, square(here)], [one, quarter, norm]]
+    }
+
+    /// The sum over the three nodes of a quadratic spline, along each axis, of what follows from a node's weight and its
+    /// place from the particle in cells.
+    #[inline(always)]
+    fn over_nodes(&self, term: impl Fn(X::Vec<f32>, X::Vec<f32>) -> X::Vec<f32>) -> X::Vec<f32> {
+        let term = |node: usize| term(self.weights[node], -self.fx + node as f32);
+        term(0) + term(1) + term(2)
     }
 }

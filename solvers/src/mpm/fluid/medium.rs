@@ -89,8 +89,8 @@ impl<X: Spatial, P: Layout<I>, G: Layout<X>> Medium for Fluid<X, P, G> {
         let v = saved_vectors::<X>(state, "velocity", count)?;
         let c = saved_matrices::<X>(state, "velocity_gradient", count)?;
         let j = state.floats::<1>("volume_ratio", count)?;
-        for p in 0..count {
-            self.points.set(p, Point { x: x(p), v: v(p), c: c(p), j: j[p][0] });
+        for (p, &[j]) in j.iter().enumerate() {
+            self.points.set(p, Point { x: x(p), v: v(p), c: c(p), j });
         }
         Ok(())
     }
