@@ -16,7 +16,7 @@ use std::{env, thread};
 use proc_macro2::TokenStream;
 
 use self::mutate::Mutator;
-use crate::{kernel, layout, record};
+use crate::{enumeration, kernel, layout, record};
 
 /// The inputs that a test run tries.
 const TRIED: usize = 2000;
@@ -26,16 +26,22 @@ const TRIED: usize = 2000;
 enum Macro {
     /// The options, and the item.
     Kernel,
+    Func,
     Record,
+    Element,
     Layout,
 }
 
 impl Macro {
+    const ALL: [Macro; 5] = [Macro::Kernel, Macro::Func, Macro::Record, Macro::Element, Macro::Layout];
+
     /// The ending of files of the corpus.
     fn ending(self) -> &'static str {
         match self {
             Macro::Kernel => "kernel",
+            Macro::Func => "func",
             Macro::Record => "record",
+            Macro::Element => "element",
             Macro::Layout => "layout",
         }
     }
@@ -53,7 +59,9 @@ impl Input {
     fn expand(&self) -> TokenStream {
         match self.of {
             Macro::Kernel => kernel::expand(self.options.clone(), self.tokens.clone()),
+            Macro::Func => kernel::func::expand(self.options.clone(), self.tokens.clone()),
             Macro::Record => record::expand(self.tokens.clone()),
+            Macro::Element => enumeration::expand(self.tokens.clone()),
             Macro::Layout => layout::expand(self.tokens.clone()),
         }
     }
@@ -62,7 +70,9 @@ impl Input {
     fn fault(&self) -> Option<&'static str> {
         let Ok(expansion) = catch_unwind(AssertUnwindSafe(|| self.expand())) else { return Some("the macro panics") };
         let parses = match self.of {
-            Macro::Kernel | Macro::Record => syn::parse2::<syn::File>(expansion.clone()).is_ok(),
+            Macro::Kernel | Macro::Func | Macro::Record | Macro::Element => {
+                syn::parse2::<syn::File>(expansion.clone()).is_ok()
+            }
             Macro::Layout => syn::parse2::<syn::Type>(expansion.clone()).is_ok(),
         };
         (!parses && !expansion.to_string().contains("compile_error")).then_some("the expansion is no Rust")
@@ -130,7 +140,7 @@ fn inputs_that_were_found_are_no_fault_any_more() {
             let path = entry.expect("an entry").path();
             let text = fs::read_to_string(&path).expect("an input");
             let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_owned();
-            let of = [Macro::Kernel, Macro::Record, Macro::Layout].into_iter().find(|of| of.ending() == ending);
+            let of = Macro::ALL.into_iter().find(|of| of.ending() == ending);
             let of = of.unwrap_or_else(|| panic!("{} is of no macro", path.display()));
             let (options, item) = text.split_once('\n').expect("a line of options, and an item");
             let parse = |text: &str| text.parse().unwrap_or_else(|error| panic!("{}: {error}", path.display()));

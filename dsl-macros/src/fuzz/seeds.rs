@@ -47,7 +47,9 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
 fn take(program: &str, seeds: &mut Vec<Input>) {
     let Ok(file) = syn::parse_file(program) else { return };
     let kernel = |(options, tokens)| Input { of: Macro::Kernel, options, tokens };
+    let func = |(options, tokens)| Input { of: Macro::Func, options, tokens };
     seeds.extend(marked(program, "kernel").into_iter().map(kernel));
+    seeds.extend(marked(program, "func").into_iter().map(func));
     Rest(seeds).visit_file(&file);
 }
 
@@ -70,6 +72,9 @@ impl<'ast> Visit<'ast> for Rest<'_> {
         };
         if derives(attributes, "Record") {
             self.push(Macro::Record, item.to_token_stream());
+        }
+        if derives(attributes, "Element") {
+            self.push(Macro::Element, item.to_token_stream());
         }
         visit::visit_item(self, item);
     }

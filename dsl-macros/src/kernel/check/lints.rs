@@ -2,6 +2,7 @@
 
 use crate::diagnostics::{Code, Diagnostics};
 use crate::kernel::model::{Kernel, Suspicion};
+use crate::kernel::text::type_text;
 
 /// The bodies that `unroll!` may write out without a warning.
 const MANY_BODIES: u64 = 256;
@@ -78,7 +79,10 @@ fn only_read(kernel: &Kernel, diagnostics: &mut Diagnostics) {
             diagnostics
                 .warn(Code::OnlyRead, name, format!("the kernel only reads `{name}`, and takes it by `&mut`"))
                 .note("callers must then hold the field alone, for nothing")
-                .help(format!("write `{name}: &Field<..>`, or change an element: a value that is read is a copy"));
+                .help(format!(
+                    "write `{name}: {}`, or change an element: a value that is read is a copy",
+                    type_text(&field.ty).replacen("&mut ", "&", 1)
+                ));
         }
     }
 }
