@@ -2,6 +2,7 @@
 
 use crate::axes::{Axes, I, Ij, Ijk, Ijkl, MAX_AXES, O, per_axis};
 use crate::element::Sealed;
+use crate::layout::Geometry;
 
 /// An integer that can index or bound a loop.
 pub trait Integer: Copy + Send + Sync + core::fmt::Debug + Sealed + 'static {
@@ -176,67 +177,103 @@ impl Sealed for [usize; 3] {}
 impl Sealed for [usize; 4] {}
 arrays!(usize);
 
-/// Whether the coordinates lie within the extents, and they as unsigned numbers.
+/// The place of logical coordinates, where they lie within the shape.
 #[inline(always)]
-pub(crate) fn within<X: Axes>(at: [i64; MAX_AXES], shape: &[u32; MAX_AXES]) -> Option<[u32; MAX_AXES]> {
+pub(crate) fn within<X: Axes>(at: [i64; MAX_AXES], geometry: &Geometry) -> Option<[u32; MAX_AXES]> {
+    let place = per_axis(
+        #[inline(always)]
+        |a| place(at[a], geometry.origin[a]),
+    );
+    inside::<X>(place, &geometry.shape)
+}
+
+/// How far a coordinate lies beyond the origin. What lies below it becomes, as an unsigned number, larger than any extent; so do
+/// coordinates at the ends of an `i64`, where the difference wraps around, since an origin is an `i32`.
+#[inline(always)]
+fn place(at: i64, origin: i32) -> i64 {
+    at.wrapping_sub(i64::from(origin))
+}
+
+/// Places that lie within the shape, as unsigned numbers.
+#[inline(always)]
+pub(crate) fn inside<X: Axes>(place: [i64; MAX_AXES], shape: &[u32; MAX_AXES]) -> Option<[u32; MAX_AXES]> {
     crate::axes::all::<X>(
         #[inline(always)]
-        |a| (at[a] as u64) < u64::from(shape[a]),
+        |a| (place[a] as u64) < u64::from(shape[a]),
     )
     .then(
         #[inline(always)]
-        || [at[0] as u32, at[1] as u32, at[2] as u32, at[3] as u32],
+        || [place[0] as u32, place[1] as u32, place[2] as u32, place[3] as u32],
     )
 }
 
-/// The nearest element to the coordinates; `None` where there is no element.
+/// The place of the element that is nearest to the logical coordinates; `None` where there is no element.
 #[inline(always)]
-pub(crate) fn clamped<X: Axes>(at: [i64; MAX_AXES], shape: &[u32; MAX_AXES]) -> Option<[u32; MAX_AXES]> {
+pub(crate) fn clamped<X: Axes>(at: [i64; MAX_AXES], geometry: &Geometry) -> Option<[u32; MAX_AXES]> {
     let near = per_axis(
         #[inline(always)]
-        |a| at[a].min(i64::from(shape[a]) - 1).max(0),
-    );
-    within::<X>(near, shape)
-}
-
-/// The element at the coordinates modulo the extents; `None` where there is no element, or where a coordinate is none that
-/// an `i64` holds.
-#[inline(always)]
-pub(crate) fn wrapped<X: Axes>(at: [i64; MAX_AXES], shape: &[u32; MAX_AXES]) -> Option<[u32; MAX_AXES]> {
-    let inside = per_axis(
-        #[inline(always)]
         |a| {
-            let (c, n) = (at[a], i64::from(shape[a]));
-            // One extent away is what stencils reach, and needs no division.
-            let near = if c < 0 { c + n } else { c - if c < n { 0 } else { n } };
-            if (near as u64) < n as u64 { near } else { wrapped_far(c, n) }
+            let first = i64::from(geometry.origin[a]);
+            at[a].min(first + i64::from(geometry.shape[a]) - 1).max(first) - first
         },
     );
-    within::<X>(inside, shape)
+    inside::<X>(near, &geometry.shape)
 }
 
-/// `c` modulo `n`; -1 where there is no such place.
+/// The place of the element at the logical coordinates modulo the extents; `None` where there is no element, or where a coordinate
+/// is none that an `i64` holds.
+#[inline(always)]
+pub(crate) fn wrapped<X: Axes>(at: [i64; MAX_AXES], geometry: &Geometry) -> Option<[u32; MAX_AXES]> {
+    let near = per_axis(
+        #[inline(always)]
+        |a| {
+            let (c, n) = (place(at[a], geometry.origin[a]), i64::from(geometry.shape[a]));
+            // One extent away is what stencils reach, and needs no division.
+            let near = if c < 0 { c + n } else { c - if c < n { 0 } else { n } };
+            if (near as u64) < n as u64 { near } else { wrapped_far(at[a], geometry.origin[a], n) }
+        },
+    );
+    inside::<X>(near, &geometry.shape)
+}
+
+/// The place of `c` modulo `n`; -1 where there is no such place.
 #[cold]
-fn wrapped_far(c: i64, n: i64) -> i64 {
+fn wrapped_far(c: i64, origin: i32, n: i64) -> i64 {
     // `i64::MAX` stands for all that is larger (`Integer::wide`).
-    if n == 0 || c == i64::MAX { -1 } else { c.rem_euclid(n) }
+    if n == 0 || c == i64::MAX { -1 } else { (i128::from(c) - i128::from(origin)).rem_euclid(i128::from(n)) as i64 }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::layout::Aos;
 
     #[test]
     fn boundary_rules_at_the_ends_of_integers() {
-        for n in [0u32, 1, 2, 3, 7, i32::MAX as u32] {
-            let shape = [n, 1, 1, 1];
-            for c in [i64::MIN, i64::MIN + 1, -8, -7, -3, -1, 0, 1, 2, 3, 6, 7, 8, 20, i64::MAX - 1] {
-                let expected = (n > 0).then(|| [c.rem_euclid(i64::from(n).max(1)) as u32, 0, 0, 0]);
-                assert_eq!(wrapped::<I>([c, 0, 0, 0], &shape), expected, "{c} modulo {n}");
-                let expected = (n > 0).then(|| [c.clamp(0, i64::from(n).max(1) - 1) as u32, 0, 0, 0]);
-                assert_eq!(clamped::<I>([c, 0, 0, 0], &shape), expected, "{c} near {n}");
+        const LONGEST: u32 = i32::MAX as u32;
+        let ends = [i64::MIN, i64::MIN + 1, -8, -7, -3, -1, 0, 1, 2, 3, 6, 7, 8, 20, i64::MAX - 1];
+        for (n, origin) in [0u32, 1, 2, 3, 7, LONGEST]
+            .into_iter()
+            .flat_map(|n| [i32::MIN, -9, -3, 0, 5, i32::MAX - 7].map(|origin| (n, origin)))
+            .filter(|&(n, origin)| origin.checked_add_unsigned(n).is_some())
+        {
+            let geometry = Geometry::new::<Aos, I>([n as usize, 1, 1, 1])
+                .and_then(|geometry| geometry.with_origin::<I>([i64::from(origin), 0, 0, 0]))
+                .expect("a geometry");
+            let near = |by: i64| (i64::from(origin)).saturating_add(by);
+            for c in ends.into_iter().chain(ends.map(near)).filter(|&c| c != i64::MAX) {
+                let place = |place: i128| [place as u32, 0, 0, 0];
+                let (beyond, extent) = (i128::from(c) - i128::from(origin), i128::from(n));
+                let at = [c, 0, 0, 0];
+                let expected = (0..extent).contains(&beyond).then(|| place(beyond));
+                assert_eq!(within::<I>(at, &geometry), expected, "{c} within {n} from {origin}");
+                let expected = (n > 0).then(|| place(beyond.rem_euclid(extent.max(1))));
+                assert_eq!(wrapped::<I>(at, &geometry), expected, "{c} modulo {n} from {origin}");
+                let expected = (n > 0).then(|| place(beyond.clamp(0, extent.max(1) - 1)));
+                assert_eq!(clamped::<I>(at, &geometry), expected, "{c} near {n} from {origin}");
             }
-            assert_eq!(wrapped::<I>([u64::MAX.wide(), 0, 0, 0], &shape), None);
+            assert_eq!(wrapped::<I>([u64::MAX.wide(), 0, 0, 0], &geometry), None);
+            assert_eq!(within::<I>([u64::MAX.wide(), 0, 0, 0], &geometry), None);
         }
     }
 }

@@ -81,7 +81,7 @@
 //!
 //! # Fields
 //!
-//! [`Field::new`] makes a field of zeros, [`with_background`](Field::with_background) one of something else; the axes ([`I`], [`Ij`], [`Ijk`], [`Ijkl`], and [`O`] for a single
+//! [`Field::new`] makes a field of zeros, [`with_background`](Field::with_background) one of something else, and [`with_origin`](Field::with_origin) one whose indices begin elsewhere than at zero; the axes ([`I`], [`Ij`], [`Ijk`], [`Ijkl`], and [`O`] for a single
 //! record, made by `new([])` and indexed by `[()]`) follow from the extents. Values come and go in
 //! logical row-major order, whatever the layout. An index out of range panics, or is an error where the name begins with `try_`.
 //!
@@ -231,7 +231,7 @@
 //!
 //! # Not available yet
 //!
-//! Sparse and growing nodes (`pointer`, `bitmasked`, `hash`, `dynamic`); indices below zero (`with_origin`).
+//! Sparse and growing nodes: `pointer`, `bitmasked`, `hash`, `dynamic`.
 //! Where one of these words is used, the error says so.
 
 // Expansions name this crate from outside; inside (tests, examples in docs) it is the same name.

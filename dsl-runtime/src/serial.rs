@@ -8,7 +8,7 @@ use crate::field::source::find;
 use crate::field::{Source, SourceMut};
 use crate::index::{Integer, IntoIndex};
 use crate::launch::Border;
-use crate::layout::{Layout, Map};
+use crate::layout::{Geometry, Layout, Map};
 use crate::number::{Number, zip};
 use crate::record::{Path, Record};
 use crate::view::{Read, Site, View, shared};
@@ -39,7 +39,7 @@ pub fn lend<'a, S: Source + ?Sized, P: Path<S::Record>>(
     shared(field, site).read(path)
 }
 
-/// A checked index.
+/// A checked index: its place in the field.
 #[derive(Clone, Copy, Debug)]
 pub struct Located([u32; MAX_AXES]);
 
@@ -98,9 +98,10 @@ pub unsafe fn get_unchecked<S: Source<Axes = X> + ?Sized, X: Axes, P: Path<S::Re
     if cfg!(debug_assertions) {
         return read(field, path, index);
     }
-    let at = index.coordinates().map(|c| c as u32);
+    let handle = field.handle();
+    let at = handle.geometry.place(index.coordinates());
     // SAFETY: as the caller promises; the shared borrow keeps writers away.
-    unsafe { field.handle().read::<P>(at) }
+    unsafe { handle.read::<P>(at) }
 }
 
 /// Puts a value at an index, which is checked with debug assertions alone.
@@ -118,9 +119,10 @@ pub unsafe fn set_unchecked<S: SourceMut + Source<Axes = X> + ?Sized, X: Axes, P
     if cfg!(debug_assertions) {
         return write(field, path, index, value);
     }
-    let at = index.coordinates().map(|c| c as u32);
+    let handle = field.handle_mut();
+    let at = handle.geometry.place(index.coordinates());
     // SAFETY: as the caller promises; `&mut` is exclusive.
-    unsafe { field.handle_mut().write::<P>(at, value) }
+    unsafe { handle.write::<P>(at, value) }
 }
 
 /// The value of a path at an index.
@@ -149,7 +151,7 @@ pub fn clamped<S: Source<Axes = X> + ?Sized, X: Axes, P: Path<S::Record>>(
     index: impl IntoIndex<X>,
 ) -> P::Value {
     // Where there is no such element, `locate` says so.
-    match crate::index::clamped::<X>(index.coordinates(), &field.handle().geometry.shape) {
+    match crate::index::clamped::<X>(index.coordinates(), &field.handle().geometry) {
         Some(at) => read_at(field, path, Located(at)),
         None => read(field, path, index),
     }
@@ -167,7 +169,7 @@ pub fn wrapped<S: Source<Axes = X> + ?Sized, X: Axes, P: Path<S::Record>>(
     index: impl IntoIndex<X>,
 ) -> P::Value {
     // Where there is no such element, `locate` says so.
-    match crate::index::wrapped::<X>(index.coordinates(), &field.handle().geometry.shape) {
+    match crate::index::wrapped::<X>(index.coordinates(), &field.handle().geometry) {
         Some(at) => read_at(field, path, Located(at)),
         None => read(field, path, index),
     }
@@ -222,8 +224,9 @@ where
     zip::<crate::number::Max, E>(a, b)
 }
 
-/// All coordinates of a box in the order of a field's memory, blocks aside: the last axis of the root fastest.
-fn walk<L: Layout<X>, X: Axes>(shape: [u32; MAX_AXES], border: u32) -> impl Iterator<Item = [i32; MAX_AXES]> {
+/// All logical coordinates of a box in the order of a field's memory, blocks aside: the last axis of the root fastest.
+fn walk<L: Layout<X>, X: Axes>(geometry: Geometry, border: u32) -> impl Iterator<Item = [i32; MAX_AXES]> {
+    let shape = geometry.shape;
     let (named, count) = crate::layout::order::<X>(L::CHAIN.root);
     let mut axes: Vec<usize> = (0..X::RANK).filter(|a| !named[..count].contains(a)).collect();
     axes.extend_from_slice(&named[..count]);
@@ -235,7 +238,7 @@ fn walk<L: Layout<X>, X: Axes>(shape: [u32; MAX_AXES], border: u32) -> impl Iter
     let mut next = bounds.map(|(first, _)| first);
     core::iter::from_fn(move || {
         left = left.checked_sub(1)?;
-        let at = next.map(|c| c as i32);
+        let at = geometry.logical(next);
         for &axis in axes.iter().rev() {
             next[axis] += 1;
             if next[axis] < bounds[axis].1 {
@@ -249,12 +252,12 @@ fn walk<L: Layout<X>, X: Axes>(shape: [u32; MAX_AXES], border: u32) -> impl Iter
 
 /// The indices of a field, which need not be borrowed meanwhile.
 pub fn indices<S: Source<Axes = X> + ?Sized, X: Axes>(field: &S) -> impl Iterator<Item = X::Index> + use<S, X> {
-    walk::<S::Layout, X>(field.handle().geometry.shape, 0).map(X::index)
+    walk::<S::Layout, X>(field.handle().geometry, 0).map(X::index)
 }
 
 /// The indices of a field as tuples.
 pub fn index_tuples<S: Source<Axes = X> + ?Sized, X: Axes>(field: &S) -> impl Iterator<Item = X::Tuple> + use<S, X> {
-    walk::<S::Layout, X>(field.handle().geometry.shape, 0).map(X::tuple)
+    walk::<S::Layout, X>(field.handle().geometry, 0).map(X::tuple)
 }
 
 /// The indices of a field but a border.
@@ -262,7 +265,7 @@ pub fn interior_indices<S: Source<Axes = X> + ?Sized, X: Axes>(
     field: &S,
     width: u32,
 ) -> impl Iterator<Item = X::Index> + use<S, X> {
-    walk::<S::Layout, X>(field.handle().geometry.shape, width).map(X::index)
+    walk::<S::Layout, X>(field.handle().geometry, width).map(X::index)
 }
 
 /// The indices of a field but a border, as tuples.
@@ -270,7 +273,7 @@ pub fn interior_tuples<S: Source<Axes = X> + ?Sized, X: Axes>(
     field: &S,
     width: u32,
 ) -> impl Iterator<Item = X::Tuple> + use<S, X> {
-    walk::<S::Layout, X>(field.handle().geometry.shape, width).map(X::tuple)
+    walk::<S::Layout, X>(field.handle().geometry, width).map(X::tuple)
 }
 
 /// The border of a field.
@@ -282,22 +285,22 @@ pub fn border<S: Source + ?Sized>(field: &S, width: u32) -> Border {
 impl<R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'_, R, L, X, WRITE> {
     /// The indices of the field.
     pub fn indices(&self) -> impl Iterator<Item = X::Index> + use<R, L, X, WRITE> {
-        walk::<L, X>(self.handle.geometry.shape, 0).map(X::index)
+        walk::<L, X>(self.handle.geometry, 0).map(X::index)
     }
 
     /// The indices of the field as tuples.
     pub fn index_tuples(&self) -> impl Iterator<Item = X::Tuple> + use<R, L, X, WRITE> {
-        walk::<L, X>(self.handle.geometry.shape, 0).map(X::tuple)
+        walk::<L, X>(self.handle.geometry, 0).map(X::tuple)
     }
 
     /// The indices of the field but a border.
     pub fn interior_indices(&self, width: u32) -> impl Iterator<Item = X::Index> + use<R, L, X, WRITE> {
-        walk::<L, X>(self.handle.geometry.shape, width).map(X::index)
+        walk::<L, X>(self.handle.geometry, width).map(X::index)
     }
 
     /// The indices of the field but a border, as tuples.
     pub fn interior_tuples(&self, width: u32) -> impl Iterator<Item = X::Tuple> + use<R, L, X, WRITE> {
-        walk::<L, X>(self.handle.geometry.shape, width).map(X::tuple)
+        walk::<L, X>(self.handle.geometry, width).map(X::tuple)
     }
 }
 

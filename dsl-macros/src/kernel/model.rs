@@ -331,7 +331,7 @@ pub(crate) struct Loop {
     pub(crate) jumps: bool,
     /// Whether a `continue` of this loop occurs.
     pub(crate) continues: bool,
-    /// Fields used only through `len`, `shape` or an inner loop's head.
+    /// Fields used only through `len`, `shape`, `origin` or an inner loop's head.
     pub(crate) shapes: BTreeSet<usize>,
     /// Fields accessed without a check, and whether they are written so.
     pub(crate) unchecked: BTreeMap<usize, bool>,

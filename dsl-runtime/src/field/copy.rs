@@ -12,6 +12,8 @@ use crate::record::{Record, Whole};
 impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     /// Takes all records from a field of the same shape, whatever its layout.
     ///
+    /// The shape alone counts, not the origins: the first record becomes the first, and this field keeps its own origin.
+    ///
     /// ```
     /// use allotrope::prelude::*;
     /// let mut rows = Field::<f32, Aos>::new([2, 3]);
@@ -29,7 +31,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
             .unwrap_or_else(|error| panic!("`Field<{}, ..>`: {error}", core::any::type_name::<R>()));
     }
 
-    /// Takes all records from a field of the same shape, whatever its layout.
+    /// Takes all records from a field of the same shape, whatever its layout and its origin.
     ///
     /// # Errors
     /// Where the shapes differ; the field stays as it was.
@@ -40,7 +42,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
             return Err(ShapeMismatch { shape: shapes.0, other: shapes.1 });
         }
         if TypeId::of::<L>() == TypeId::of::<M>() {
-            // One layout and one shape are one geometry.
+            // One layout and one shape lie in memory in one way.
             self.memory.as_mut_slice().copy_from_slice(other.memory.as_slice());
             return Ok(());
         }
@@ -55,7 +57,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
         Ok(())
     }
 
-    /// A copy in another layout.
+    /// A copy in another layout, with the same origin.
     ///
     /// # Panics
     /// Where the other layout cannot hold the shape.
@@ -63,6 +65,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
         let extents = self.geometry.shape.map(|n| n as usize);
         let mut to = Field::<R, M, X>::with_extents(extents)
             .unwrap_or_else(|error| panic!("`{}`: {error}", core::any::type_name::<R>()));
+        to.geometry.origin = self.geometry.origin;
         to.copy_from(self);
         to
     }

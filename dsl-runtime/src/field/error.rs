@@ -2,6 +2,10 @@
 
 use core::fmt;
 
+use crate::axes::Axes;
+use crate::index::IntoIndex;
+use crate::layout::Geometry;
+
 /// Why a field of a shape cannot be made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -21,6 +25,15 @@ pub enum ShapeError {
         extent: usize,
         /// What the inner nodes hold.
         most: usize,
+    },
+    /// The indices along an axis are not all `i32`s, or the one after the last is none.
+    Origin {
+        /// Its name.
+        axis: &'static str,
+        /// The first index.
+        origin: i64,
+        /// Its extent.
+        extent: usize,
     },
     /// The field's bytes overflow the address space.
     TooLarge {
@@ -45,6 +58,12 @@ impl fmt::Display for ShapeError {
             Self::Axis { axis, extent, most } => write!(
                 f,
                 "axis `{axis}` has {extent} elements, but the layout holds {most} along it: name `{axis}` in its outermost node"
+            ),
+            Self::Origin { axis, origin, extent } => write!(
+                f,
+                "the {extent} indices of axis `{axis}` from {origin} on reach beyond those of an `i32`, {} to {}",
+                i32::MIN,
+                i32::MAX - 1
             ),
             Self::TooLarge { shape } => write!(f, "a field of shape {shape:?} does not fit in the address space"),
             Self::OutOfMemory { shape, bytes } => {
@@ -80,11 +99,42 @@ pub struct OutOfRange {
     pub index: Vec<i64>,
     /// The field's extents.
     pub shape: Vec<usize>,
+    /// The field's first index.
+    pub origin: Vec<i32>,
+}
+
+impl OutOfRange {
+    /// That an index lies outside of a field of this geometry.
+    pub(crate) fn new<X: Axes>(index: impl IntoIndex<X>, geometry: &Geometry) -> Self {
+        Self {
+            index: index.coordinates()[..X::RANK].to_vec(),
+            shape: geometry.extents::<X>().as_ref().to_vec(),
+            origin: geometry.origin[..X::RANK].to_vec(),
+        }
+    }
 }
 
 impl fmt::Display for OutOfRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "index {:?} is out of range of shape {:?}", self.index, self.shape)
+        write!(f, "index {:?} is out of range of shape {:?}", self.index, self.shape)?;
+        if self.origin.iter().any(|&first| first != 0) {
+            let extents = self.shape.iter().map(|&extent| extent as i64);
+            write!(f, ", whose indices are {}", Spans(self.origin.iter().copied().zip(extents)))?;
+        }
+        Ok(())
+    }
+}
+
+/// The indices along each axis, from first indices and extents: `-64..64, -64..64`.
+pub(crate) struct Spans<T>(pub(crate) T);
+
+impl<T: Iterator<Item = (i32, i64)> + Clone> fmt::Display for Spans<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (axis, (first, extent)) in self.0.clone().enumerate() {
+            let before = if axis == 0 { "" } else { ", " };
+            write!(f, "{before}{first}..{}", i64::from(first) + extent)?;
+        }
+        Ok(())
     }
 }
 

@@ -93,7 +93,7 @@ fn nonfinite_at<R: Record, L: Layout<X>, X: Axes>(
                 _ => unsafe { from.cast::<f64>().read_unaligned() },
             };
             if !value.is_finite() {
-                let index = X::index(at.map(|n| n as i32));
+                let index = X::index(handle.geometry.logical(at));
                 let member = (!R::Elements::BARE).then(|| Names::<R>::ALL[m]);
                 return Some(NonFinite { index, member, component, value });
             }

@@ -17,10 +17,7 @@ pub(crate) fn out_of_range<R>(error: &OutOfRange) -> ! {
 
 impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     pub(crate) fn find(&self, index: impl IntoIndex<X>) -> Result<[u32; MAX_AXES], OutOfRange> {
-        self.handle().locate(index).ok_or_else(|| OutOfRange {
-            index: index.coordinates()[..X::RANK].to_vec(),
-            shape: self.shape().as_ref().to_vec(),
-        })
+        self.handle().locate(index).ok_or_else(|| OutOfRange::new(index, &self.geometry))
     }
 
     /// The record at an index.

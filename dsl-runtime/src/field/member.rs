@@ -163,10 +163,7 @@ fn to_vec<P: Path<R>, R: Record, L: Layout<X>, X: Axes>(handle: &Handle<'_, R, L
 #[cold]
 #[track_caller]
 fn missed<R: Record, L: Layout<X>, X: Axes>(handle: &Handle<'_, R, L, X>, index: impl IntoIndex<X>) -> ! {
-    out_of_range::<R>(&OutOfRange {
-        index: index.coordinates()[..X::RANK].to_vec(),
-        shape: handle.geometry.extents::<X>().as_ref().to_vec(),
-    })
+    out_of_range::<R>(&OutOfRange::new(index, &handle.geometry))
 }
 
 /// Fields of bare elements need not name their one member.

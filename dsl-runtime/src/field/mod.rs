@@ -18,6 +18,7 @@ use core::fmt;
 use core::marker::PhantomData;
 use std::sync::Mutex;
 
+pub(crate) use error::Spans;
 pub use error::{OutOfRange, ShapeError, ShapeMismatch};
 pub use file::{FileError, FileFault};
 pub use finite::NonFinite;
@@ -136,7 +137,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     /// Whether an index lies within the shape.
     #[inline(always)]
     pub(crate) fn locate(&self, index: impl IntoIndex<X>) -> Option<[u32; MAX_AXES]> {
-        within::<X>(index.coordinates(), &self.geometry.shape)
+        within::<X>(index.coordinates(), &self.geometry)
     }
 }
 
@@ -194,6 +195,54 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
         self
     }
 
+    /// This field with indices that begin at `origin` along each axis, below zero or anywhere: valid are `origin` to `origin + shape`,
+    /// the latter excluded. A new field's begin at zero.
+    ///
+    /// The records stay in their places, and indices mean the same everywhere, on the host and in kernels: a loop over the field runs
+    /// from the origin, `clamped` and `wrapped` lead to these indices, and kernels may index fields of different origins.
+    ///
+    /// ```
+    /// use allotrope::prelude::*;
+    /// let mut force = Field::<f32, Blocked<8>>::new([128, 128]).with_origin([-64, -64]);
+    /// force.set([-64, 63], 2.5);
+    /// assert_eq!(force.get([-64, 63]), 2.5);
+    /// let error = force.try_get([64, 0]).unwrap_err();
+    /// let expected = "index [64, 0] is out of range of shape [128, 128], whose indices are -64..64, -64..64";
+    /// assert_eq!(error.to_string(), expected);
+    ///
+    /// #[kernel]
+    /// fn distance(from: &mut Field<f32, _, Ij>) {
+    ///     for ij in from {
+    ///         from[ij] = ij.as_vec2().length();
+    ///     }
+    /// }
+    /// distance(&mut force);
+    /// assert_eq!(force.get([-3, 4]), 5.0);
+    /// ```
+    ///
+    /// # Panics
+    /// Where [`try_with_origin`](Self::try_with_origin) returns an error.
+    #[must_use]
+    #[track_caller]
+    pub fn with_origin(self, origin: impl IntoIndex<X>) -> Self {
+        self.try_with_origin(origin).unwrap_or_else(|error| panic!("`{}`: {error}", core::any::type_name::<R>()))
+    }
+
+    /// As [`with_origin`](Self::with_origin), where the indices may reach beyond those of an `i32`.
+    ///
+    /// # Errors
+    /// Where the origin is no `i32`, or `origin + shape` is none.
+    ///
+    /// ```
+    /// use allotrope::prelude::*;
+    /// let error = Field::<f32, Aos>::new([128]).try_with_origin(i32::MAX - 100).unwrap_err();
+    /// assert!(error.to_string().starts_with("the 128 indices of axis `i` from 2147483547 on reach beyond those of an `i32`"));
+    /// ```
+    pub fn try_with_origin(mut self, origin: impl IntoIndex<X>) -> Result<Self, ShapeError> {
+        self.geometry = self.geometry.with_origin::<X>(origin.coordinates())?;
+        Ok(self)
+    }
+
     /// A handle for reading, while `self` is borrowed; or for writing, where the caller holds `&mut`.
     #[inline(always)]
     pub(crate) fn handle(&self) -> Handle<'_, R, L, X> {
@@ -203,6 +252,16 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     /// Elements along each axis.
     pub fn shape(&self) -> X::Extents {
         self.geometry.extents::<X>()
+    }
+
+    /// The first index along each axis: zero, or what [`with_origin`](Self::with_origin) has said.
+    ///
+    /// ```
+    /// use allotrope::prelude::*;
+    /// assert_eq!(Field::<f32, Aos>::new([4, 4]).with_origin((-2, 0)).origin(), ivec2(-2, 0));
+    /// ```
+    pub fn origin(&self) -> X::Index {
+        X::index(self.geometry.origin)
     }
 
     /// Elements in all.
@@ -224,6 +283,9 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
 impl<R: Record + fmt::Debug, L: Layout<X>, X: Axes> fmt::Debug for Field<R, L, X> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "Field<{}> of shape {:?} ", core::any::type_name::<R>(), self.shape())?;
+        if let Some(origin) = self.geometry.moved::<X>() {
+            write!(f, "from {origin:?} on ")?;
+        }
         f.debug_list().entries(self.iter().take(16)).finish()?;
         if self.len() > 16 { write!(f, " and {} more", self.len() - 16) } else { Ok(()) }
     }

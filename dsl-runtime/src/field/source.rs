@@ -106,6 +106,11 @@ pub trait AnyMember<T: Element, X: Axes = I>: Source<Axes = X, Value = T> {
         self.handle().geometry.extents::<X>()
     }
 
+    /// The first index along each axis: [`Field::origin`].
+    fn origin(&self) -> X::Index {
+        X::index(self.handle().geometry.origin)
+    }
+
     /// Elements in all.
     fn len(&self) -> usize {
         self.handle().geometry.len()
@@ -196,10 +201,7 @@ pub(crate) fn find<S: Source<Axes = X> + ?Sized, X: Axes>(
     index: impl IntoIndex<X>,
 ) -> Result<[u32; MAX_AXES], OutOfRange> {
     let handle = source.handle();
-    handle.locate(index).ok_or_else(|| OutOfRange {
-        index: index.coordinates()[..X::RANK].to_vec(),
-        shape: handle.geometry.extents::<X>().as_ref().to_vec(),
-    })
+    handle.locate(index).ok_or_else(|| OutOfRange::new(index, &handle.geometry))
 }
 
 impl<R, L, X> Sealed for Field<R, L, X> {}

@@ -14,6 +14,7 @@ use std::sync::{Mutex, PoisonError};
 pub use reduction::{Partial, Reduction, Strip, reduction};
 pub use run::{Cell, Run};
 pub use sieve::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, sifted};
+pub(crate) use space::is_in_blocks;
 pub use space::{Space, interior, of_branch, over, range};
 
 use crate::scatter::{self, Scattered};

@@ -12,8 +12,10 @@ use crate::axes::{MAX_AXES, PerAxis, per_axis};
 #[doc(hidden)]
 #[derive(Debug)]
 pub struct Run<'t, S> {
-    /// Coordinates of the run's element 0, which is the first of the run unless `first` is larger.
+    /// Logical coordinates of the run's element 0, which is the first of the run unless `first` is larger.
     pub(crate) at: [i64; MAX_AXES],
+    /// The origin of the loop's field: `block` and `inner` count from it.
+    pub(crate) origin: [i32; MAX_AXES],
     /// The elements of the run: `first..first + len`.
     pub(crate) first: usize,
     pub(crate) len: usize,
@@ -95,7 +97,7 @@ impl<S: Space> Run<'_, S> {
 }
 
 impl<S: Space> Cell<'_, S> {
-    /// The element's coordinates.
+    /// The element's logical coordinates.
     #[inline(always)]
     pub(crate) fn at(&self) -> [i64; MAX_AXES] {
         per_axis(

@@ -28,7 +28,7 @@ pub trait Sieve: Copy + Send + Sync + Sealed + 'static {
     fn pieces(&self, at: [i64; MAX_AXES], axis: usize, first: usize, len: usize, piece: impl FnMut(usize, usize));
 }
 
-/// The elements that lie outside of a box.
+/// The elements that lie outside of a box, in logical coordinates.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Border {
@@ -43,8 +43,9 @@ impl Border {
         let (mut first, mut end) = ([0; MAX_AXES], [1; MAX_AXES]);
         for axis in 0..X::RANK {
             let size = geometry.shape[axis];
-            first[axis] = i64::from(width.min(size));
-            end[axis] = i64::from(size.saturating_sub(width)).max(first[axis]);
+            let origin = i64::from(geometry.origin[axis]);
+            first[axis] = origin + i64::from(width.min(size));
+            end[axis] = (origin + i64::from(size.saturating_sub(width))).max(first[axis]);
         }
         Self { first, end, axes: X::RANK }
     }
@@ -230,6 +231,10 @@ impl<S: Space, F: Sieve> Space for Sifted<S, F> {
         self.space.bounds()
     }
 
+    fn origin(&self) -> [i32; MAX_AXES] {
+        self.space.origin()
+    }
+
     /// Each piece is a run of its own, a part of a run of the space: no element is visited twice.
     #[inline(always)]
     fn visit<const LIGHT: bool>(&self, units: Range<usize>, fits: bool, mut run: impl FnMut(Run<'_, Self>)) {
@@ -251,8 +256,8 @@ impl<S: Space, F: Sieve> Space for Sifted<S, F> {
                             at[S::AXIS] += first as i64;
                             first = 0;
                         }
-                        let (block, inner) = (part.block, part.inner);
-                        run(Run { at, first, len, block, inner, whole: false, fits: part.fits, owner: PhantomData });
+                        let Run { origin, block, inner, fits, .. } = part;
+                        run(Run { at, origin, first, len, block, inner, whole: false, fits, owner: PhantomData });
                     },
                 );
             },

@@ -33,8 +33,10 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
     fn elements(&self) -> usize;
     /// What is dealt out to threads: blocks, or elements where there are none.
     fn units(&self) -> usize;
-    /// The box: its first element and the one after its last.
+    /// The box in logical coordinates: its first element and the one after its last.
     fn bounds(&self) -> ([i64; MAX_AXES], [i64; MAX_AXES]);
+    /// The origin of the loop's field; zero where there is none.
+    fn origin(&self) -> [i32; MAX_AXES];
     /// Visits the runs of some units in memory order; `LIGHT` writes whole runs out apart from cut ones.
     fn visit<const LIGHT: bool>(&self, units: Range<usize>, fits: bool, run: impl FnMut(Run<'_, Self>));
     /// The loop's variable at coordinates.
@@ -42,7 +44,17 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
     /// The loop's variables at coordinates.
     fn tuple(at: [i64; MAX_AXES]) -> Self::Tuple;
 
-    /// Whether the whole box, moved by the offsets `low` to `high`, lies within a field. No offsets mean zeros.
+    /// Whether a field's blocks, where they are arranged as the loop's, begin at the same coordinates: rows step through both at once.
+    ///
+    /// Also an unchecked launch must ask this: it is no question of a bound.
+    fn aligned<R: Record, L: Layout<X>, X: Axes, const WRITE: bool>(&self, field: View<'_, R, L, X, WRITE>) -> bool {
+        let (origin, other) = (self.origin(), field.handle.geometry.origin);
+        let distance = |a: usize| i64::from(other[a]) - i64::from(origin[a]);
+        !const { any_in_blocks::<Self, L, X>() } || (0..X::RANK).all(|a| distance(a) % Self::EXTENT[a] as i64 == 0)
+    }
+
+    /// Whether the whole box, moved by the offsets `low` to `high`, lies within a field, and its blocks are
+    /// [`aligned`](Self::aligned). No offsets mean zeros.
     fn fits<const N: usize, R: Record, L: Layout<X>, X: Axes, const WRITE: bool>(
         &self,
         field: View<'_, R, L, X, WRITE>,
@@ -51,13 +63,14 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
     ) -> bool {
         const { assert!(N == 0 || N == X::RANK, "as many offsets as the field has axes") }
         let (first, end) = self.bounds();
-        let shape = &field.handle.geometry.shape;
+        let Geometry { shape, origin, .. } = &field.handle.geometry;
         let within = |a: usize| {
             let (low, high) = if N == 0 { (0, 0) } else { (low[a], high[a]) };
             let (first, end) = (first[a].saturating_add(low), end[a].saturating_add(high));
-            first >= 0 && end <= i64::from(shape[a])
+            let start = i64::from(origin[a]);
+            first >= start && end <= start + i64::from(shape[a])
         };
-        Self::RANK == X::RANK && (self.elements() == 0 || (0..X::RANK).all(within))
+        Self::RANK == X::RANK && (self.elements() == 0 || ((0..X::RANK).all(within) && self.aligned(field)))
     }
 
     /// Whether indices in which the loop's variables stand so lie within a field, for the whole box.
@@ -68,15 +81,53 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
     ) -> bool {
         let (first, end) = self.bounds();
         let extremes = places.extremes(&first, &end);
-        let within = |a: usize| extremes[a].0 >= 0 && extremes[a].1 < i64::from(field.handle.geometry.shape[a]);
+        let Geometry { shape, origin, .. } = &field.handle.geometry;
+        let within = |a: usize| {
+            let start = i64::from(origin[a]);
+            extremes[a].0 >= start && extremes[a].1 < start + i64::from(shape[a])
+        };
         self.elements() == 0 || (0..X::RANK).all(within)
     }
+}
+
+/// Whether rows of a branch step through the blocks of a loop's field, which are arranged as its own.
+pub(crate) const fn is_in_blocks<S: Space>(chain: &Chain) -> bool {
+    S::RUN > 0 && !chain.is_flat() && same(S::DIGITS, chain.digits)
+}
+
+/// Whether those of any branch of a layout do.
+const fn any_in_blocks<S: Space, L: Layout<X>, X: Axes>() -> bool {
+    S::RANK == X::RANK && (is_in_blocks::<S>(&L::CHAIN) || (L::BRANCHES > 1 && any_in_blocks::<S, L::Rest, X>()))
+}
+
+const fn same(a: &[Digit], b: &[Digit]) -> bool {
+    if a.len() != b.len() {
+        return false;
+    }
+    let mut n = 0;
+    while n < a.len() {
+        let mut axis = 0;
+        while axis < MAX_AXES {
+            if a[n].sizes[axis] != b[n].sizes[axis] {
+                return false;
+            }
+            axis += 1;
+        }
+        // Order 0 marks the end of a list.
+        if a[n].order != b[n].order || a[n].curve != b[n].curve || (n + 1 == a.len() && a[n].order != 0) {
+            return false;
+        }
+        n += 1;
+    }
+    true
 }
 
 /// A box of a field, in the order of the memory of the branch that holds the path `P`.
 #[doc(hidden)]
 pub struct Cells<R, L, X, P> {
-    /// The box in elements.
+    /// The first index of the field.
+    origin: [i32; MAX_AXES],
+    /// The box in places.
     first: [u32; MAX_AXES],
     end: [u32; MAX_AXES],
     /// The same in the root's cells.
@@ -110,6 +161,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Chained<X> for Cells<R, L, X,
 impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
     fn new(geometry: Geometry, border: u32) -> Self {
         let mut this = Self {
+            origin: geometry.origin,
             first: [0; MAX_AXES],
             end: [1; MAX_AXES],
             first_block: [0; MAX_AXES],
@@ -201,8 +253,8 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
         rows::<Self, X>(
             #[inline(always)]
             |inner| {
-                let (at, len) = (Self::start(block, inner), <Self as Space>::RUN);
-                run(Run { at, first: 0, len, block, inner, whole: true, fits, owner: PhantomData });
+                let (at, origin, len) = (self.start(block, inner), self.origin, <Self as Space>::RUN);
+                run(Run { at, origin, first: 0, len, block, inner, whole: true, fits, owner: PhantomData });
             },
         );
     }
@@ -213,23 +265,34 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
         let (axis, length) = (<Self as Space>::AXIS, <Self as Space>::RUN as i64);
         for r in 0..const { <Self as Chained<X>>::CHAIN.rows } {
             let inner = nth_row::<X>(<Self as Chained<X>>::CHAIN, r);
-            let at = Self::start(block, inner);
+            let place = Self::place(block, inner);
             let inside = all::<X>(
                 #[inline(always)]
-                |a| a == axis || (at[a] >= i64::from(self.first[a]) && at[a] < i64::from(self.end[a])),
+                |a| a == axis || (place[a] >= i64::from(self.first[a]) && place[a] < i64::from(self.end[a])),
             );
-            let first = (i64::from(self.first[axis]) - at[axis]).max(0);
-            let end = (i64::from(self.end[axis]) - at[axis]).min(length);
+            let first = (i64::from(self.first[axis]) - place[axis]).max(0);
+            let end = (i64::from(self.end[axis]) - place[axis]).min(length);
             if inside && first < end {
                 let (first, len) = (first as usize, (end - first) as usize);
-                run(Run { at, first, len, block, inner, whole: false, fits, owner: PhantomData });
+                let (at, origin) = (self.start(block, inner), self.origin);
+                run(Run { at, origin, first, len, block, inner, whole: false, fits, owner: PhantomData });
             }
         }
     }
 
-    /// The coordinates of a cell of a block.
+    /// The logical coordinates of a cell of a block.
     #[inline(always)]
-    fn start(block: PerAxis, inner: PerAxis) -> [i64; MAX_AXES] {
+    fn start(&self, block: PerAxis, inner: PerAxis) -> [i64; MAX_AXES] {
+        let place = Self::place(block, inner);
+        per_axis(
+            #[inline(always)]
+            |a| place[a] + i64::from(self.origin[a]),
+        )
+    }
+
+    /// The place of a cell of a block.
+    #[inline(always)]
+    fn place(block: PerAxis, inner: PerAxis) -> [i64; MAX_AXES] {
         per_axis(
             #[inline(always)]
             |a| if a < X::RANK { (block[a] * const { &<Self as Space>::EXTENT }[a] + inner[a]) as i64 } else { 0 },
@@ -255,7 +318,12 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Space for Cells<R, L, X, P> {
     }
 
     fn bounds(&self) -> ([i64; MAX_AXES], [i64; MAX_AXES]) {
-        (self.first.map(i64::from), self.end.map(i64::from))
+        let logical = |places: [u32; MAX_AXES]| per_axis(|a| i64::from(places[a]) + i64::from(self.origin[a]));
+        (logical(self.first), logical(self.end))
+    }
+
+    fn origin(&self) -> [i32; MAX_AXES] {
+        self.origin
     }
 
     #[inline(always)]
@@ -279,8 +347,8 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Space for Cells<R, L, X, P> {
                 |a| self.first_block[a] + block[a],
             );
             if const { <Self as Chained<X>>::CHAIN.is_flat() } {
-                let (at, inner) = (Self::start(first, [0; MAX_AXES]), [0; MAX_AXES]);
-                run(Run { at, first: 0, len, block: first, inner, whole: false, fits, owner: PhantomData });
+                let (at, inner, origin) = (self.start(first, [0; MAX_AXES]), [0; MAX_AXES], self.origin);
+                run(Run { at, origin, first: 0, len, block: first, inner, whole: false, fits, owner: PhantomData });
             } else {
                 self.blocks::<LIGHT>(first, len, fits, &mut run);
             }
@@ -492,6 +560,10 @@ impl<T: Integers<X = X>, X: Axes> Space for Ranges<T, X> {
         (self.first, self.end)
     }
 
+    fn origin(&self) -> [i32; MAX_AXES] {
+        [0; MAX_AXES]
+    }
+
     #[inline(always)]
     fn visit<const LIGHT: bool>(&self, units: Range<usize>, fits: bool, mut run: impl FnMut(Run<'_, Self>)) {
         if units.is_empty() {
@@ -512,8 +584,8 @@ impl<T: Integers<X = X>, X: Axes> Space for Ranges<T, X> {
             for axis in 0..X::RANK {
                 at[axis] += place[axis] as i64;
             }
-            let (block, inner) = ([0; MAX_AXES], [0; MAX_AXES]);
-            run(Run { at, first: 0, len, block, inner, whole: false, fits, owner: PhantomData });
+            let (origin, block, inner) = ([0; MAX_AXES], [0; MAX_AXES], [0; MAX_AXES]);
+            run(Run { at, origin, first: 0, len, block, inner, whole: false, fits, owner: PhantomData });
             left -= len;
             place[last] = 0;
             for axis in (0..last).rev() {

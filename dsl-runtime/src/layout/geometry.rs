@@ -1,14 +1,19 @@
 //! The run-time part of a layout: a field's extents and the root's strides.
 
 use super::{Layout, node::order};
-use crate::axes::{AXIS_NAMES, Axes, MAX_AXES, PerAxis};
+use crate::axes::{AXIS_NAMES, Axes, MAX_AXES, PerAxis, per_axis};
 use crate::field::ShapeError;
 
-/// A field's extents, and how its root lies in memory.
+/// A field's extents, where its indices begin, and how its root lies in memory.
+///
+/// Coordinates are of two kinds. Logical ones are what the user writes; they begin at the origin. Places begin at zero: addresses
+/// are computed from them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Geometry {
     /// Elements along each axis; 1 beyond the rank.
     pub(crate) shape: [u32; MAX_AXES],
+    /// The first index along each axis, 0 beyond the rank. It and the one after the last index are `i32`s.
+    pub(crate) origin: [i32; MAX_AXES],
     /// The root's cells along each axis.
     pub(crate) blocks: PerAxis,
     /// The root's cells between neighbours along each axis.
@@ -25,7 +30,13 @@ impl Geometry {
         }
         let (axes, count) = const { order::<X>(L::CHAIN.root) };
         let block = const { L::CHAIN.extent };
-        let mut this = Self { shape: [1; MAX_AXES], blocks: [1; MAX_AXES], stride: [0; MAX_AXES], cells: 1 };
+        let mut this = Self {
+            shape: [1; MAX_AXES],
+            origin: [0; MAX_AXES],
+            blocks: [1; MAX_AXES],
+            stride: [0; MAX_AXES],
+            cells: 1,
+        };
         for axis in 0..X::RANK {
             let extent = extents[axis];
             if i32::try_from(extent).is_err() {
@@ -53,7 +64,8 @@ impl Geometry {
     pub(crate) fn rest<L: Layout<X>, X: Axes>(&self) -> Self {
         let chain = const { &<L::Rest as Layout<X>>::CHAIN };
         let (axes, count) = const { order::<X>(<L::Rest as Layout<X>>::CHAIN.root) };
-        let mut this = Self { shape: self.shape, blocks: [1; MAX_AXES], stride: [0; MAX_AXES], cells: 1 };
+        let (shape, origin) = (self.shape, self.origin);
+        let mut this = Self { shape, origin, blocks: [1; MAX_AXES], stride: [0; MAX_AXES], cells: 1 };
         for &axis in axes[..count].iter().rev() {
             this.blocks[axis] = (self.shape[axis] as usize).div_ceil(chain.extent[axis]);
             this.stride[axis] = this.cells;
@@ -61,6 +73,19 @@ impl Geometry {
             this.cells = this.cells.wrapping_mul(this.blocks[axis]);
         }
         this
+    }
+
+    /// The same with indices that begin at `origin`.
+    pub(crate) fn with_origin<X: Axes>(mut self, origin: [i64; MAX_AXES]) -> Result<Self, ShapeError> {
+        for axis in 0..X::RANK {
+            let (first, extent) = (origin[axis], self.shape[axis]);
+            let error = ShapeError::Origin { axis: AXIS_NAMES[axis], origin: first, extent: extent as usize };
+            let narrow = i32::try_from(first).map_err(|_| error.clone())?;
+            // The one after the last index is an `i32` as well: loops count up to it.
+            narrow.checked_add_unsigned(extent).ok_or(error)?;
+            self.origin[axis] = narrow;
+        }
+        Ok(self)
     }
 
     /// Elements in all.
@@ -71,5 +96,29 @@ impl Geometry {
     /// The extents along the axes `X`.
     pub(crate) fn extents<X: Axes>(&self) -> X::Extents {
         X::extents(self.shape.map(|n| n as usize))
+    }
+
+    /// The logical coordinates of a place within the shape: they lie below the origin plus the extent, which is an `i32`.
+    #[inline(always)]
+    pub(crate) fn logical(&self, place: [u32; MAX_AXES]) -> [i32; MAX_AXES] {
+        per_axis(
+            #[inline(always)]
+            |a| self.origin[a].wrapping_add_unsigned(place[a]),
+        )
+    }
+
+    /// The place of logical coordinates that lie within the shape.
+    #[inline(always)]
+    pub(crate) fn place(&self, at: [i64; MAX_AXES]) -> [u32; MAX_AXES] {
+        per_axis(
+            #[inline(always)]
+            |a| (at[a] as u32).wrapping_sub(self.origin[a] as u32),
+        )
+    }
+
+    /// The origin where it is not zero, for messages.
+    pub(crate) fn moved<X: Axes>(&self) -> Option<&[i32]> {
+        let origin = &self.origin[..X::RANK];
+        origin.iter().any(|&first| first != 0).then_some(origin)
     }
 }

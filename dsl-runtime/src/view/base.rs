@@ -4,19 +4,20 @@ use core::marker::PhantomData;
 
 use super::Site;
 use crate::axes::{Axes, MAX_AXES, all, per_axis};
-use crate::index::within;
+use crate::index::inside;
 use crate::layout::Geometry;
 
-/// A base whose whole box of offsets lies within a shape.
+/// A base whose whole box of offsets lies within a field's indices.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Based<X> {
-    /// The base; in wrapping arithmetic, since its own cell may lie below zero.
+    /// The base's place; in wrapping arithmetic, since its own cell may lie below zero.
     base: [u32; MAX_AXES],
     low: [i32; MAX_AXES],
     high: [i32; MAX_AXES],
-    /// The shape that was checked. The macro uses a base for the field that it was made from alone.
+    /// The field that was checked. The macro uses a base for the field that it was made from alone.
     shape: [u32; MAX_AXES],
+    origin: [i32; MAX_AXES],
     axes: PhantomData<X>,
 }
 
@@ -45,13 +46,14 @@ impl<X: Axes> Based<X> {
         low: [i64; MAX_AXES],
         high: [i64; MAX_AXES],
     ) -> Option<Self> {
-        let shape = geometry.shape;
+        let (shape, origin) = (geometry.shape, geometry.origin);
         let fits = all::<X>(
             #[inline(always)]
             |a| {
                 // `base` came from integers of at most 64 bits: extremes must not wrap around.
                 let (first, last) = (base[a].saturating_add(low[a]), base[a].saturating_add(high[a]));
-                (first >= 0) & (last < i64::from(shape[a]))
+                let start = i64::from(origin[a]);
+                (first >= start) & (last < start + i64::from(shape[a]))
             },
         );
         let narrow = |offsets: [i64; MAX_AXES]| {
@@ -63,10 +65,11 @@ impl<X: Axes> Based<X> {
         fits.then(
             #[inline(always)]
             || Self {
-                base: [base[0] as u32, base[1] as u32, base[2] as u32, base[3] as u32],
+                base: geometry.place(base),
                 low: narrow(low),
                 high: narrow(high),
                 shape,
+                origin,
                 axes: PhantomData,
             },
         )
@@ -94,7 +97,10 @@ impl<X: Axes> Based<X> {
     #[inline(never)]
     #[track_caller]
     fn far(&self, offset: [i64; MAX_AXES], site: &'static Site) -> [u32; MAX_AXES] {
-        let at = per_axis(|a| i64::from(self.base[a] as i32).saturating_add(offset[a]));
-        within::<X>(at, &self.shape).unwrap_or_else(|| site.out_of_range(&at[..X::RANK], &self.shape[..X::RANK]))
+        let place = per_axis(|a| i64::from(self.base[a] as i32).saturating_add(offset[a]));
+        inside::<X>(place, &self.shape).unwrap_or_else(|| {
+            let at = per_axis(|a| place[a].saturating_add(i64::from(self.origin[a])));
+            site.missed(&at[..X::RANK], &self.shape[..X::RANK], &self.origin[..X::RANK])
+        })
     }
 }

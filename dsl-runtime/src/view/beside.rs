@@ -8,7 +8,7 @@ use crate::axes::{Axes, MAX_AXES, per_axis};
 use crate::field::Handle;
 use crate::index::{within, wrapped};
 use crate::launch::{Cell, TwoColours};
-use crate::layout::Layout;
+use crate::layout::{Geometry, Layout};
 use crate::record::{Path, Record};
 
 /// Reads a path at the elements of a loop over one colour of a checkerboard, moved by an offset with an odd sum.
@@ -19,7 +19,6 @@ use crate::record::{Path, Record};
 #[doc(hidden)]
 pub struct Beside<'a, R, L, X, P, S> {
     lane: Lane<'a, R, L, X, P>,
-    shape: [u32; MAX_AXES],
     offset: [i64; MAX_AXES],
     /// Neither `Send` nor `Sync`: what may be read is seen from the cells of one thread.
     space: PhantomData<(S, *mut ())>,
@@ -62,7 +61,12 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: TwoColours> Beside<'a,
         assert!(is_odd(&by), "an offset with an even sum leads to the loop's own colour");
         let mut offset = [0; MAX_AXES];
         offset[..N].copy_from_slice(&by);
-        Self { lane: Lane::new(handle, site), shape: handle.geometry.shape, offset, space: PhantomData }
+        Self { lane: Lane::new(handle, site), offset, space: PhantomData }
+    }
+
+    #[inline(always)]
+    fn geometry(&self) -> &Geometry {
+        &self.lane.handle().geometry
     }
 
     /// The cell's coordinates, moved.
@@ -79,7 +83,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: TwoColours> Beside<'a,
     #[inline(never)]
     #[track_caller]
     fn outside(&self, at: [i64; MAX_AXES]) -> ! {
-        self.lane.site().out_of_range(&at[..X::RANK], &self.shape[..X::RANK])
+        self.lane.site().out_of_range::<X>(at, self.geometry())
     }
 
     /// The value at the offset.
@@ -90,7 +94,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: TwoColours> Beside<'a,
     #[track_caller]
     pub fn get(&self, cell: &Cell<'_, S>) -> P::Value {
         let at = self.moved(cell);
-        let Some(at) = within::<X>(at, &self.shape) else { self.outside(at) };
+        let Some(at) = within::<X>(at, self.geometry()) else { self.outside(at) };
         // SAFETY: within the shape, and of the other colour than the loop's, which alone is written.
         unsafe { self.lane.read(at) }
     }
@@ -104,7 +108,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: TwoColours> Beside<'a,
     pub fn clamped(&self, cell: &Cell<'_, S>) -> P::Value {
         assert!(self.offset.iter().map(|o| o.unsigned_abs()).sum::<u64>() == 1, "a step of one along one axis");
         let (at, own) = (self.moved(cell), cell.at());
-        let Some(at) = within::<X>(at, &self.shape).or_else(|| within::<X>(own, &self.shape)) else {
+        let Some(at) = within::<X>(at, self.geometry()).or_else(|| within::<X>(own, self.geometry())) else {
             self.outside(own)
         };
         // SAFETY: within the shape; of the other colour, which nobody writes, or this iteration's own.
@@ -119,9 +123,9 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: TwoColours> Beside<'a,
     #[track_caller]
     pub fn wrapped(&self, cell: &Cell<'_, S>) -> P::Value {
         // The launch has told the user; this is what the next lines rely on.
-        assert_even(&self.shape, &self.offset[..X::RANK], self.lane.site());
+        assert_even(&self.geometry().shape, &self.offset[..X::RANK], self.lane.site());
         let at = self.cell_within(cell);
-        let Some(at) = wrapped::<X>(at, &self.shape) else { self.outside(at) };
+        let Some(at) = wrapped::<X>(at, self.geometry()) else { self.outside(at) };
         // SAFETY: within the shape; an even number of steps back keeps the colour, so that it is the other than the loop's.
         unsafe { self.lane.read(at) }
     }
@@ -131,7 +135,9 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: TwoColours> Beside<'a,
     #[track_caller]
     fn cell_within(&self, cell: &Cell<'_, S>) -> [i64; MAX_AXES] {
         let (at, moved) = (cell.at(), self.moved(cell));
-        let beyond = |a: usize| self.offset[a] == 0 && at[a] as u64 >= u64::from(self.shape[a]);
+        let (shape, origin) = (&self.geometry().shape, &self.geometry().origin);
+        let place = |a: usize| at[a].wrapping_sub(i64::from(origin[a])) as u64;
+        let beyond = |a: usize| self.offset[a] == 0 && place(a) >= u64::from(shape[a]);
         if (0..X::RANK).any(beyond) {
             self.outside(moved);
         }
@@ -141,7 +147,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: TwoColours> Beside<'a,
     /// The value at the offset, or `value` where that lies outside of the shape.
     #[inline(always)]
     pub fn or(&self, cell: &Cell<'_, S>, value: P::Value) -> P::Value {
-        match within::<X>(self.moved(cell), &self.shape) {
+        match within::<X>(self.moved(cell), self.geometry()) {
             // SAFETY: as in `get`.
             Some(at) => unsafe { self.lane.read(at) },
             None => value,

@@ -7,7 +7,7 @@ use crate::axes::{Axes, MAX_AXES};
 use crate::field::Handle;
 use crate::index::{Integer, within};
 use crate::launch::{Cell, Space};
-use crate::layout::Layout;
+use crate::layout::{Geometry, Layout};
 use crate::record::{Path, Record};
 
 /// The `N`th loop variable stands in this place of an index.
@@ -185,18 +185,15 @@ impl<T: Places> Places for Boxed<T> {
 pub(super) fn locate<S: Space, X: Axes, A: Places>(
     cell: &Cell<'_, S>,
     places: A,
-    shape: &[u32; MAX_AXES],
+    geometry: &Geometry,
     site: &'static Site,
 ) -> [u32; MAX_AXES] {
     const { assert!(A::COUNT == X::RANK, "an index has as many places as the field has axes") }
     let at = places.coordinates(cell);
     if !A::CHECKED || places.is_inside(cell) {
-        return at.map(
-            #[inline(always)]
-            |c| c as u32,
-        );
+        return geometry.place(at);
     }
-    within::<X>(at, shape).unwrap_or_else(|| site.out_of_range(&at[..X::RANK], &shape[..X::RANK]))
+    within::<X>(at, geometry).unwrap_or_else(|| site.out_of_range::<X>(at, geometry))
 }
 
 /// Reads and writes a path at indices in which every loop variable stands alone in a place, so that no two elements of
@@ -225,7 +222,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> OwnFree<'a, R, L, X, P> {
     #[track_caller]
     fn locate<S: Space, A: Places>(&self, cell: &Cell<'_, S>, places: A) -> [u32; MAX_AXES] {
         const { assert!(A::VARIABLES == (1 << S::RANK) - 1, "every loop variable stands in a place of an own index") }
-        locate::<S, X, A>(cell, places, &self.handle.geometry.shape, self.site)
+        locate::<S, X, A>(cell, places, &self.handle.geometry, self.site)
     }
 
     /// The value there.

@@ -6,7 +6,7 @@ use super::Site;
 use crate::axes::{Axes, MAX_AXES, sum};
 use crate::field::Handle;
 use crate::index::IntoIndex;
-use crate::layout::{Layout, Map};
+use crate::layout::{Geometry, Layout, Map};
 use crate::record::{Path, Record};
 
 /// Where the values of a path lie, by index.
@@ -63,7 +63,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
         self.site
     }
 
-    /// An index that lies within the shape.
+    /// The place of an index that lies within the shape.
     ///
     /// # Panics
     /// Where it does not.
@@ -71,20 +71,15 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
     #[track_caller]
     pub(super) fn locate<T: IntoIndex<X>>(&self, index: T) -> [u32; MAX_AXES] {
         let at = index.coordinates();
-        let shape = &self.handle.geometry.shape;
+        let geometry = &self.handle.geometry;
         if !T::CHECKED {
-            return crate::axes::per_axis(
-                #[inline(always)]
-                |a| at[a] as u32,
-            );
+            return geometry.place(at);
         }
-        let Some(at) = crate::index::within::<X>(at, shape) else {
-            self.site.out_of_range(&at[..X::RANK], &self.handle.geometry.shape[..X::RANK])
-        };
-        at
+        let Some(place) = crate::index::within::<X>(at, geometry) else { self.site.out_of_range::<X>(at, geometry) };
+        place
     }
 
-    /// The element that a boundary rule gives for an index.
+    /// The place that a boundary rule gives for an index.
     ///
     /// # Panics
     /// Where it gives none.
@@ -93,17 +88,17 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
     pub(super) fn locate_by(
         &self,
         index: impl IntoIndex<X>,
-        rule: impl Fn([i64; MAX_AXES], &[u32; MAX_AXES]) -> Option<[u32; MAX_AXES]>,
+        rule: impl Fn([i64; MAX_AXES], &Geometry) -> Option<[u32; MAX_AXES]>,
     ) -> [u32; MAX_AXES] {
-        let (at, shape) = (index.coordinates(), &self.handle.geometry.shape);
-        let Some(at) = rule(at, shape) else { self.site.out_of_range(&at[..X::RANK], &shape[..X::RANK]) };
-        at
+        let (at, geometry) = (index.coordinates(), &self.handle.geometry);
+        let Some(place) = rule(at, geometry) else { self.site.out_of_range::<X>(at, geometry) };
+        place
     }
 
-    /// An index, where it lies within the shape.
+    /// The place of an index, where it lies within the shape.
     #[inline(always)]
     pub(super) fn inside(&self, index: impl IntoIndex<X>) -> Option<[u32; MAX_AXES]> {
-        crate::index::within::<X>(index.coordinates(), &self.handle.geometry.shape)
+        crate::index::within::<X>(index.coordinates(), &self.handle.geometry)
     }
 
     /// The first component of the path's member, and the distance of its components.

@@ -27,9 +27,9 @@ pub use free::OwnFree;
 
 use crate::axes::{Axes, MAX_AXES};
 use crate::element::{Element, Packed};
-use crate::field::{Handle, Source, SourceMut};
+use crate::field::{Handle, Source, SourceMut, Spans};
 use crate::launch::{Border, Run, Space, Task, TwoColours};
-use crate::layout::{Layout, Map};
+use crate::layout::{Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record};
 
 /// What a panic in a kernel names.
@@ -43,13 +43,26 @@ pub struct Site {
 }
 
 impl Site {
+    /// Tells of logical coordinates that lie outside of a field of this geometry.
     #[cold]
     #[inline(never)]
     #[track_caller]
-    pub(crate) fn out_of_range(&self, index: &[i64], shape: &[u32]) -> ! {
+    pub(crate) fn out_of_range<X: Axes>(&self, at: [i64; MAX_AXES], geometry: &Geometry) -> ! {
+        self.missed(&at[..X::RANK], &geometry.shape[..X::RANK], &geometry.origin[..X::RANK])
+    }
+
+    #[cold]
+    #[inline(never)]
+    #[track_caller]
+    fn missed(&self, index: &[i64], shape: &[u32], origin: &[i32]) -> ! {
+        let Self { kernel, field } = self;
+        let spans = Spans(origin.iter().copied().zip(shape.iter().map(|&extent| i64::from(extent))));
+        let indices = match origin.iter().all(|&first| first == 0) {
+            true => String::new(),
+            false => format!(" and whose indices are {spans}"),
+        };
         panic!(
-            "kernel `{}`: index {index:?} is out of range of field `{}`, whose shape is {shape:?}",
-            self.kernel, self.field
+            "kernel `{kernel}`: index {index:?} is out of range of field `{field}`, whose shape is {shape:?}{indices}"
         )
     }
 }
@@ -127,6 +140,12 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
         self.handle.geometry.extents::<X>()
     }
 
+    /// The first index along each axis.
+    #[inline(always)]
+    pub fn origin(&self) -> X::Index {
+        X::index(self.handle.geometry.origin)
+    }
+
     /// The border of the field.
     pub fn border(&self, width: u32) -> Border {
         Border::new::<X>(&self.handle.geometry, width)
@@ -168,22 +187,14 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
         unsafe { self.handle.read::<P>(at) }
     }
 
-    /// The coordinates of an index that a caller has promised to lie within the shape; checked with debug assertions.
+    /// The place of an index that a caller has promised to lie within the shape; checked with debug assertions.
     #[inline(always)]
     fn promised(&self, index: impl crate::index::IntoIndex<X>) -> [u32; MAX_AXES] {
-        let at = index.coordinates();
-        debug_assert!(
-            crate::index::within::<X>(at, &self.handle.geometry.shape).is_some(),
-            "kernel `{}`: index {:?} is out of range of field `{}`, whose shape is {:?}",
-            self.site.kernel,
-            &at[..X::RANK],
-            self.site.field,
-            self.shape()
-        );
-        at.map(
-            #[inline(always)]
-            |c| c as u32,
-        )
+        let (at, geometry) = (index.coordinates(), &self.handle.geometry);
+        if cfg!(debug_assertions) && crate::index::within::<X>(at, geometry).is_none() {
+            self.site.out_of_range::<X>(at, geometry);
+        }
+        geometry.place(at)
     }
 
     /// The field around `base`, if all of `base + low` to `base + high` lies within it.

@@ -58,7 +58,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Read<'a, R, L, X, P> {
     #[inline(always)]
     #[track_caller]
     pub fn get_in<S: Space>(&self, cell: &Cell<'_, S>, places: impl Places) -> P::Value {
-        let at = super::free::locate::<S, X, _>(cell, places, &self.0.handle().geometry.shape, self.0.site());
+        let at = super::free::locate::<S, X, _>(cell, places, &self.0.handle().geometry, self.0.site());
         // SAFETY: as in `get`: what `locate` returns lies within the shape.
         unsafe { self.0.read(at) }
     }

@@ -76,6 +76,9 @@ pub trait Readable<T: Copy, X: Axes = I>: Copy + Send + Sync + Sealed {
     /// Elements along each axis.
     fn shape(self) -> X::Extents;
 
+    /// The first index along each axis.
+    fn origin(self) -> X::Index;
+
     /// Elements in all.
     fn len(self) -> usize;
 
@@ -112,6 +115,10 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Readable<P::Value, X> for Rea
         self.handle().geometry.extents::<X>()
     }
     #[inline(always)]
+    fn origin(self) -> X::Index {
+        X::index(self.handle().geometry.origin)
+    }
+    #[inline(always)]
     fn len(self) -> usize {
         self.handle().geometry.len()
     }
@@ -142,6 +149,10 @@ impl<T: Copy, X: Axes, S: Source<Axes = X, Value = T> + ?Sized> Readable<T, X> f
     }
     fn shape(self) -> X::Extents {
         self.handle().geometry.extents::<X>()
+    }
+    #[inline(always)]
+    fn origin(self) -> X::Index {
+        X::index(self.handle().geometry.origin)
     }
     fn len(self) -> usize {
         self.handle().geometry.len()

@@ -7,9 +7,9 @@ use core::mem::MaybeUninit;
 use super::Site;
 use crate::axes::{Axes, MAX_AXES, per_axis, sum};
 use crate::field::Handle;
-use crate::index::within;
-use crate::launch::{Cell, Run, Space};
-use crate::layout::{Chain, Digit, Layout, Map};
+use crate::index::inside;
+use crate::launch::{Cell, Run, Space, is_in_blocks};
+use crate::layout::{Chain, Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record};
 
 /// The longest run whose writes are held back.
@@ -26,35 +26,16 @@ enum Kind {
     Any,
 }
 
-const fn same(a: &[Digit], b: &[Digit]) -> bool {
-    if a.len() != b.len() {
-        return false;
-    }
-    let mut n = 0;
-    while n < a.len() {
-        let mut axis = 0;
-        while axis < MAX_AXES {
-            if a[n].sizes[axis] != b[n].sizes[axis] {
-                return false;
-            }
-            axis += 1;
-        }
-        // Order 0 marks the end of a list.
-        if a[n].order != b[n].order || a[n].curve != b[n].curve || (n + 1 == a.len() && a[n].order != 0) {
-            return false;
-        }
-        n += 1;
-    }
-    true
-}
-
 /// Addresses of a path at the elements of a run, moved by a constant offset.
 struct Line<'a, R, L, X, P, S> {
     handle: Handle<'a, R, L, X>,
     site: &'static Site,
     /// Element 0's address (`Even`), or that of its run's line in the block without the run axis' term (`Blocks`).
     start: *mut u8,
-    offset: [i64; MAX_AXES],
+    /// What leads from a cell's logical coordinates to its place in this field, moved by the offset.
+    moved: [i64; MAX_AXES],
+    /// The offset along the run axis (`Blocks`).
+    along: i64,
     /// The run axis' place of element 0 in its block (`Blocks`).
     place: i64,
     fits: bool,
@@ -66,7 +47,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
         Kind::Any
     } else if Self::CHAIN.is_flat() {
         Kind::Even
-    } else if S::RUN > 0 && same(S::DIGITS, Self::CHAIN.digits) {
+    } else if is_in_blocks::<S>(Self::CHAIN) {
         Kind::Blocks
     } else {
         Kind::Any
@@ -95,19 +76,41 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
         }
     }
 
+    /// The member's first component at the cell whose logical coordinates are those of the loop's origin, from the field's first byte.
+    /// It is the same for all runs, so that the compiler takes it out of their loop.
+    #[inline(always)]
+    fn start(geometry: &Geometry, origin: [i32; MAX_AXES]) -> usize {
+        Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_add(sum::<X>(
+            #[inline(always)]
+            |a| {
+                let distance = i64::from(origin[a]) - i64::from(geometry.origin[a]);
+                let stride = Map::<R, L, X>::root_stride(geometry, Self::MEMBER, a);
+                match Self::KIND {
+                    Kind::Even => (distance as usize).wrapping_mul(stride).wrapping_mul(Self::STRIDE),
+                    // The launch has found that the blocks are aligned, or rows do not use their addresses.
+                    _ => {
+                        let blocks = distance / S::EXTENT[a] as i64;
+                        (blocks as usize).wrapping_mul(stride).wrapping_mul(Map::<R, L, X>::block_bytes(Self::MEMBER))
+                    }
+                }
+            },
+        ))
+    }
+
     #[inline(always)]
     fn new(handle: Handle<'a, R, L, X>, site: &'static Site, run: &Run<'_, S>, offset: [i64; MAX_AXES]) -> Self {
         const { assert!(S::RANK == X::RANK, "rows are taken from fields with as many axes as the loop") }
         let geometry = &handle.geometry;
+        // Where the origins differ, all rows lie apart by as much: that term is computed once, outside of the loop over runs.
         let from = match Self::KIND {
-            Kind::Even => Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_add(sum::<X>(
+            Kind::Even => Self::start(geometry, [0; MAX_AXES]).wrapping_add(sum::<X>(
                 #[inline(always)]
                 |a| {
                     let at = run.at[a].wrapping_add(offset[a]) as usize;
                     at.wrapping_mul(Map::<R, L, X>::root_stride(geometry, Self::MEMBER, a)).wrapping_mul(Self::STRIDE)
                 },
             )),
-            Kind::Blocks => Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_add(sum::<X>(
+            Kind::Blocks => Self::start(geometry, run.origin).wrapping_add(sum::<X>(
                 #[inline(always)]
                 |a| {
                     if a == S::AXIS {
@@ -120,8 +123,12 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
             )),
             Kind::Any => 0,
         };
-        let (start, place) = (handle.root.wrapping_add(from), run.inner[S::AXIS] as i64);
-        Self { handle, site, start, offset, place, fits: run.fits, types: PhantomData }
+        let moved = per_axis(
+            #[inline(always)]
+            |a| offset[a].saturating_sub(i64::from(geometry.origin[a])),
+        );
+        let (start, along, place) = (handle.root.wrapping_add(from), offset[S::AXIS], run.inner[S::AXIS] as i64);
+        Self { handle, site, start, moved, along, place, fits: run.fits, types: PhantomData }
     }
 
     /// The address of a cell (`Even` and `Blocks`).
@@ -144,7 +151,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
                 }
             }
             Kind::Blocks => {
-                let along = self.offset[S::AXIS];
+                let along = self.along;
                 let term = if cell.inside {
                     Map::<R, L, X>::inner(Self::MEMBER, S::AXIS, self.place as usize)
                         .wrapping_add(((cell.k as i64 + along) as usize).wrapping_mul(Self::STRIDE))
@@ -157,32 +164,27 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
         }
     }
 
-    /// The coordinates of a cell, moved by the offset.
-    #[inline(always)]
-    fn coordinates(&self, cell: &Cell<'_, S>) -> [i64; MAX_AXES] {
-        let at = cell.at();
-        per_axis(
-            #[inline(always)]
-            |a| at[a].wrapping_add(self.offset[a]),
-        )
-    }
-
-    /// The coordinates of a cell where they lie within the shape.
+    /// The place of a cell, moved by the offset, where it lies within the shape.
     #[inline(always)]
     #[track_caller]
     fn checked(&self, cell: &Cell<'_, S>) -> [u32; MAX_AXES] {
-        let at = self.coordinates(cell);
+        let at = cell.at();
         if self.fits {
             // The launch has compared the loop's box with the shape.
             return per_axis(
                 #[inline(always)]
-                |a| at[a] as u32,
+                |a| at[a].wrapping_add(self.moved[a]) as u32,
             );
         }
-        let Some(at) = within::<X>(at, &self.handle.geometry.shape) else {
-            self.site.out_of_range(&at[..X::RANK], &self.handle.geometry.shape[..X::RANK])
+        let place = per_axis(
+            #[inline(always)]
+            |a| at[a].saturating_add(self.moved[a]),
+        );
+        let geometry = &self.handle.geometry;
+        let Some(place) = inside::<X>(place, &geometry.shape) else {
+            self.site.out_of_range::<X>(per_axis(|a| place[a].saturating_add(i64::from(geometry.origin[a]))), geometry)
         };
-        at
+        place
     }
 
     #[inline(always)]

@@ -215,6 +215,7 @@ fn the_file_holds_what_its_description_says() {
         r#"{{
   "format": "allotrope field",
   "version": 1,
+  "origin": [0, 0],
   "shape": [2, 3],
   "layout": "{layout}",
   "members": [
@@ -504,4 +505,41 @@ fn each_member_of_an_inner_record_is_an_array() {
     back.set([2, 1], odd);
     let found = back.find_nonfinite().expect("a number that is none");
     assert_eq!((found.member, found.component, found.index), (Some("inner.v"), 1, ivec2(2, 1)));
+}
+
+#[test]
+fn files_keep_where_indices_begin() {
+    let (_folder, path) = place();
+    let mut field = Field::<f32, Blocked<4>>::new([5, 6]).with_origin([-3, 7]);
+    field.set([-3, 12], 2.0);
+    field.save(&path).expect("it is saved");
+    let (_, about) = parts(&path).swap_remove(0);
+    let about = String::from_utf8(about).expect("text");
+    assert!(about.contains("\"origin\": [-3, 7],\n  \"shape\": [5, 6],"), "{about}");
+    let mut back = Field::<f32, Aos>::new([5, 6]);
+    back.load(&path).expect("it is read");
+    assert_eq!((back.origin(), back.get([-3, 12])), (ivec2(-3, 7), 2.0));
+    assert!(back.try_get([0, 0]).is_err());
+    // A description of a file without one, or of a wrong one.
+    let array = npy(TEN_BYTES, &[1; 10]);
+    let stored =
+        |text: &str| archive(&[("allotrope.json", text.as_bytes()), ("value.npy", &array)], CompressionMethod::Stored);
+    let beginning = "{\n  \"format\": \"allotrope field\",\n  \"version\": 1,\n";
+    for (origin, why) in [
+        ("1, 2", "has `\"origin\": [1, 2]`, which is not one integer for each of 1 axes"),
+        ("x", "has `\"origin\": [x]`, which is not one integer for each of 1 axes"),
+        ("", "has `\"origin\": []`, which is not one integer for each of 1 axes"),
+        (
+            "2147483640",
+            "has an `\"origin\"` that does not fit: the 10 indices of axis `i` from 2147483640 on reach beyond those of an `i32`, \
+             -2147483648 to 2147483646",
+        ),
+    ] {
+        let text = refused(&stored(&format!("{beginning}  \"origin\": [{origin}],\n")));
+        assert_eq!(text, format!("cannot be used: `allotrope.json` {why}"));
+    }
+    fs::write(&path, stored(beginning)).expect("a file");
+    let mut u = Field::<u8, Soa>::new([10]).with_origin(-5);
+    u.load(&path).expect("it is read");
+    assert_eq!((u.origin(), u.get(-5), u.get(4)), (-5, 1, 1));
 }

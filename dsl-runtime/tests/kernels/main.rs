@@ -16,6 +16,7 @@ mod loops;
 mod mpm;
 mod nested_records;
 mod order;
+mod origin;
 mod panics;
 mod parts;
 mod random;

@@ -220,7 +220,7 @@ fn fill<T: Real>(member: &mut Member<T, _>, value: T) {
 fn kernels_called_by_generic_functions() {
     fn run<L: Layout<I>>() {
         let mut nodes = Field::<Node, L>::new([5]);
-        let mass: &mut MemberMut<'_, Node, L, I, 1> = &mut nodes.members_mut().m;
+        let mass: &mut MemberMut<'_, Node, L, I, _> = &mut nodes.members_mut().m;
         assert_eq!(fill_all(mass, 2.5), 2.5);
         assert_eq!(nodes.get(4), Node { v: Vec2::ZERO, m: 2.5 });
     }

@@ -220,7 +220,12 @@ impl Launch<'_> {
         }
         if self.kernel.unchecked {
             let unchecked = names::unchecked();
-            return (quote!(#unchecked.fits(|| #(#checks)&&*)), false);
+            // That blocks are aligned is no bound, and nobody has promised it.
+            let aligned = self.plan.reach.keys().map(|field| {
+                let handle = handle(&self.kernel.fields[*field]);
+                quote!(#space.aligned(#handle))
+            });
+            return (quote!(#(#aligned)&&* && #unchecked.fits(|| #(#checks)&&*)), false);
         }
         (quote!(#(#checks)&&*), false)
     }

@@ -332,7 +332,7 @@ impl Lower {
         if later {
             self.find(What::FieldMethod { field, name: name.to_owned(), later }, &method);
         } else if let Some(number) = self.parallel() {
-            if whole && call.args.is_empty() && matches!(name, "len" | "shape") {
+            if whole && call.args.is_empty() && matches!(name, "len" | "shape" | "origin") {
                 self.kernel.loops[number].shapes.insert(field);
                 *expr = self.node(Node::FieldCall(FieldCall { field, method: method.clone() }), method.span());
                 return;

@@ -62,7 +62,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     }
 
     /// Takes all values from an `.npz` file that [`save`](Self::save) has written from a field of the same record and
-    /// shape, in any layout; or NumPy, with an array for every member and no other:
+    /// shape, in any layout, and its [origin](Self::origin); or NumPy, which leaves this field's origin as it is, with an array for every member and no other:
     /// `numpy.savez("grid.npz", velocity=v, mass=m)`.
     ///
     /// # Errors
@@ -81,7 +81,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     pub fn load(&mut self, path: impl AsRef<Path>) -> Result<(), FileError> {
         let path = path.as_ref();
         let fresh = self.read_archive(path).map_err(|fault| FileError::new(path, fault))?;
-        self.memory = fresh.memory;
+        (self.memory, self.geometry) = (fresh.memory, fresh.geometry);
         Ok(())
     }
 
@@ -89,7 +89,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
         let mut archive = ZipWriter::new(BufWriter::new(file));
         let options = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
         archive.start_file(about::NAME, options)?;
-        archive.write_all(about::write::<R, L, X>(&self.extents()).as_bytes())?;
+        archive.write_all(about::write::<R, L, X>(&self.extents(), &self.geometry.origin[..X::RANK]).as_bytes())?;
         for (m, spec) in R::Elements::MEMBERS.iter().enumerate() {
             let bytes = (self.len() * values::size(spec)) as u64;
             archive.start_file(entry::<R>(m), options.large_file(bytes > u64::from(u32::MAX) - HEADERS))?;
@@ -119,9 +119,10 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
                 return Err(FileFault::Unknown { entry: name.into_owned() });
             }
         }
-        if let Some(number) = archive.index_for_name(about::NAME) {
-            about::check(open(&mut archive, number, about::NAME)?)?;
-        }
+        let origin = match archive.index_for_name(about::NAME) {
+            Some(number) => about::read(open(&mut archive, number, about::NAME)?)?,
+            None => None,
+        };
         // All arrays are asked for before any is read, and memory is for this field's shape, not for the file's.
         let numbers = known
             .iter()
@@ -131,6 +132,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
         for (m, (number, entry)) in numbers.into_iter().zip(&known).enumerate() {
             fresh.read_array(m, entry, open(&mut archive, number, entry)?)?;
         }
+        fresh.geometry = about::moved::<X>(self.geometry, &origin)?;
         Ok(fresh)
     }
 
