@@ -14,8 +14,8 @@ use std::sync::{Mutex, PoisonError};
 pub use reduction::{Partial, Reduction, Strip, reduction};
 pub use run::{Cell, Run};
 pub use sieve::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, sifted};
-pub(crate) use space::is_in_blocks;
 pub use space::{Space, interior, of_branch, over, range};
+pub(crate) use space::{any_in_blocks, is_in_blocks};
 
 use crate::scatter::{self, Scattered};
 use crate::schedule::{Inside, Scatter, Schedule};

@@ -14,8 +14,6 @@ use crate::axes::{MAX_AXES, PerAxis, per_axis};
 pub struct Run<'t, S> {
     /// Logical coordinates of the run's element 0, which is the first of the run unless `first` is larger.
     pub(crate) at: [i64; MAX_AXES],
-    /// The origin of the loop's field: `block` and `inner` count from it.
-    pub(crate) origin: [i32; MAX_AXES],
     /// The elements of the run: `first..first + len`.
     pub(crate) first: usize,
     pub(crate) len: usize,
@@ -103,6 +101,19 @@ impl<S: Space> Cell<'_, S> {
         per_axis(
             #[inline(always)]
             |a| if a == S::AXIS { self.run.at[a].wrapping_add(self.k as i64) } else { self.run.at[a] },
+        )
+    }
+
+    /// The place of the element in the blocks of the loop's field, which begin at its origin.
+    #[inline(always)]
+    pub(crate) fn place(&self) -> [i64; MAX_AXES] {
+        let Run { block, inner, .. } = self.run;
+        per_axis(
+            #[inline(always)]
+            |a| {
+                let start = (block[a] * const { &S::EXTENT }[a] + inner[a]) as i64;
+                if a == S::AXIS { start.wrapping_add(self.k as i64) } else { start }
+            },
         )
     }
 

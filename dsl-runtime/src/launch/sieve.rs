@@ -256,8 +256,8 @@ impl<S: Space, F: Sieve> Space for Sifted<S, F> {
                             at[S::AXIS] += first as i64;
                             first = 0;
                         }
-                        let Run { origin, block, inner, fits, .. } = part;
-                        run(Run { at, origin, first, len, block, inner, whole: false, fits, owner: PhantomData });
+                        let Run { block, inner, fits, .. } = part;
+                        run(Run { at, first, len, block, inner, whole: false, fits, owner: PhantomData });
                     },
                 );
             },

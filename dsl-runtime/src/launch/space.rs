@@ -44,13 +44,12 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
     /// The loop's variables at coordinates.
     fn tuple(at: [i64; MAX_AXES]) -> Self::Tuple;
 
-    /// Whether a field's blocks, where they are arranged as the loop's, begin at the same coordinates: rows step through both at once.
+    /// Whether a field has the origin of the loop's, where its blocks are arranged as those of the loop's field: rows step through
+    /// both at once.
     ///
     /// Also an unchecked launch must ask this: it is no question of a bound.
     fn aligned<R: Record, L: Layout<X>, X: Axes, const WRITE: bool>(&self, field: View<'_, R, L, X, WRITE>) -> bool {
-        let (origin, other) = (self.origin(), field.handle.geometry.origin);
-        let distance = |a: usize| i64::from(other[a]) - i64::from(origin[a]);
-        !const { any_in_blocks::<Self, L, X>() } || (0..X::RANK).all(|a| distance(a) % Self::EXTENT[a] as i64 == 0)
+        !const { any_in_blocks::<Self, L, X>() } || self.origin() == field.handle.geometry.origin
     }
 
     /// Whether the whole box, moved by the offsets `low` to `high`, lies within a field, and its blocks are
@@ -96,7 +95,7 @@ pub(crate) const fn is_in_blocks<S: Space>(chain: &Chain) -> bool {
 }
 
 /// Whether those of any branch of a layout do.
-const fn any_in_blocks<S: Space, L: Layout<X>, X: Axes>() -> bool {
+pub(crate) const fn any_in_blocks<S: Space, L: Layout<X>, X: Axes>() -> bool {
     S::RANK == X::RANK && (is_in_blocks::<S>(&L::CHAIN) || (L::BRANCHES > 1 && any_in_blocks::<S, L::Rest, X>()))
 }
 
@@ -253,8 +252,8 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
         rows::<Self, X>(
             #[inline(always)]
             |inner| {
-                let (at, origin, len) = (self.start(block, inner), self.origin, <Self as Space>::RUN);
-                run(Run { at, origin, first: 0, len, block, inner, whole: true, fits, owner: PhantomData });
+                let (at, len) = (self.start(block, inner), <Self as Space>::RUN);
+                run(Run { at, first: 0, len, block, inner, whole: true, fits, owner: PhantomData });
             },
         );
     }
@@ -274,8 +273,8 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             let end = (i64::from(self.end[axis]) - place[axis]).min(length);
             if inside && first < end {
                 let (first, len) = (first as usize, (end - first) as usize);
-                let (at, origin) = (self.start(block, inner), self.origin);
-                run(Run { at, origin, first, len, block, inner, whole: false, fits, owner: PhantomData });
+                let at = self.start(block, inner);
+                run(Run { at, first, len, block, inner, whole: false, fits, owner: PhantomData });
             }
         }
     }
@@ -347,8 +346,8 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Space for Cells<R, L, X, P> {
                 |a| self.first_block[a] + block[a],
             );
             if const { <Self as Chained<X>>::CHAIN.is_flat() } {
-                let (at, inner, origin) = (self.start(first, [0; MAX_AXES]), [0; MAX_AXES], self.origin);
-                run(Run { at, origin, first: 0, len, block: first, inner, whole: false, fits, owner: PhantomData });
+                let (at, inner) = (self.start(first, [0; MAX_AXES]), [0; MAX_AXES]);
+                run(Run { at, first: 0, len, block: first, inner, whole: false, fits, owner: PhantomData });
             } else {
                 self.blocks::<LIGHT>(first, len, fits, &mut run);
             }
@@ -584,8 +583,8 @@ impl<T: Integers<X = X>, X: Axes> Space for Ranges<T, X> {
             for axis in 0..X::RANK {
                 at[axis] += place[axis] as i64;
             }
-            let (origin, block, inner) = ([0; MAX_AXES], [0; MAX_AXES], [0; MAX_AXES]);
-            run(Run { at, origin, first: 0, len, block, inner, whole: false, fits, owner: PhantomData });
+            let (block, inner) = ([0; MAX_AXES], [0; MAX_AXES]);
+            run(Run { at, first: 0, len, block, inner, whole: false, fits, owner: PhantomData });
             left -= len;
             place[last] = 0;
             for axis in (0..last).rev() {

@@ -44,11 +44,18 @@ pub struct Site {
 
 impl Site {
     /// Tells of logical coordinates that lie outside of a field of this geometry.
+    #[inline(always)]
+    #[track_caller]
+    pub(crate) fn out_of_range<X: Axes>(&self, at: [i64; MAX_AXES], geometry: &Geometry) -> ! {
+        // One by one: an array would be put into memory in every iteration, lest it be needed here.
+        self.out_of_range_at::<X>(at[0], at[1], at[2], at[3], geometry)
+    }
+
     #[cold]
     #[inline(never)]
     #[track_caller]
-    pub(crate) fn out_of_range<X: Axes>(&self, at: [i64; MAX_AXES], geometry: &Geometry) -> ! {
-        self.missed(&at[..X::RANK], &geometry.shape[..X::RANK], &geometry.origin[..X::RANK])
+    fn out_of_range_at<X: Axes>(&self, i: i64, j: i64, k: i64, l: i64, geometry: &Geometry) -> ! {
+        self.missed(&[i, j, k, l][..X::RANK], &geometry.shape[..X::RANK], &geometry.origin[..X::RANK])
     }
 
     #[cold]

@@ -8,8 +8,8 @@ use super::Site;
 use crate::axes::{Axes, MAX_AXES, per_axis, sum};
 use crate::field::Handle;
 use crate::index::inside;
-use crate::launch::{Cell, Run, Space, is_in_blocks};
-use crate::layout::{Chain, Geometry, Layout, Map};
+use crate::launch::{Cell, Run, Space, any_in_blocks, is_in_blocks};
+use crate::layout::{Chain, Layout, Map};
 use crate::record::{ElementList, Path, Record};
 
 /// The longest run whose writes are held back.
@@ -32,10 +32,7 @@ struct Line<'a, R, L, X, P, S> {
     site: &'static Site,
     /// Element 0's address (`Even`), or that of its run's line in the block without the run axis' term (`Blocks`).
     start: *mut u8,
-    /// What leads from a cell's logical coordinates to its place in this field, moved by the offset.
-    moved: [i64; MAX_AXES],
-    /// The offset along the run axis (`Blocks`).
-    along: i64,
+    offset: [i64; MAX_AXES],
     /// The run axis' place of element 0 in its block (`Blocks`).
     place: i64,
     fits: bool,
@@ -60,6 +57,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
     /// The branch that the path's member stands in.
     const CHAIN: &'static Chain = Map::<R, L, X>::chain(Self::MEMBER);
     const STRIDE: usize = Map::<R, L, X>::stride(Self::MEMBER);
+    const BLOCK_BYTES: usize = Map::<R, L, X>::block_bytes(Self::MEMBER);
     const COMPONENT: usize = Map::<R, L, X>::constant_component(Self::MEMBER);
     /// Whether other members lie between the values of neighbours, in rows of any length.
     const INTERLEAVED: bool = {
@@ -76,59 +74,47 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
         }
     }
 
-    /// The member's first component at the cell whose logical coordinates are those of the loop's origin, from the field's first byte.
-    /// It is the same for all runs, so that the compiler takes it out of their loop.
-    #[inline(always)]
-    fn start(geometry: &Geometry, origin: [i32; MAX_AXES]) -> usize {
-        Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_add(sum::<X>(
-            #[inline(always)]
-            |a| {
-                let distance = i64::from(origin[a]) - i64::from(geometry.origin[a]);
-                let stride = Map::<R, L, X>::root_stride(geometry, Self::MEMBER, a);
-                match Self::KIND {
-                    Kind::Even => (distance as usize).wrapping_mul(stride).wrapping_mul(Self::STRIDE),
-                    // The launch has found that the blocks are aligned, or rows do not use their addresses.
-                    _ => {
-                        let blocks = distance / S::EXTENT[a] as i64;
-                        (blocks as usize).wrapping_mul(stride).wrapping_mul(Map::<R, L, X>::block_bytes(Self::MEMBER))
-                    }
-                }
-            },
-        ))
-    }
-
     #[inline(always)]
     fn new(handle: Handle<'a, R, L, X>, site: &'static Site, run: &Run<'_, S>, offset: [i64; MAX_AXES]) -> Self {
         const { assert!(S::RANK == X::RANK, "rows are taken from fields with as many axes as the loop") }
         let geometry = &handle.geometry;
-        // Where the origins differ, all rows lie apart by as much: that term is computed once, outside of the loop over runs.
         let from = match Self::KIND {
-            Kind::Even => Self::start(geometry, [0; MAX_AXES]).wrapping_add(sum::<X>(
+            Kind::Even => Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_add(sum::<X>(
                 #[inline(always)]
                 |a| {
-                    let at = run.at[a].wrapping_add(offset[a]) as usize;
+                    let at = run.at[a].wrapping_add(offset[a]).wrapping_sub(i64::from(geometry.origin[a])) as usize;
                     at.wrapping_mul(Map::<R, L, X>::root_stride(geometry, Self::MEMBER, a)).wrapping_mul(Self::STRIDE)
                 },
             )),
-            Kind::Blocks => Self::start(geometry, run.origin).wrapping_add(sum::<X>(
+            // The launch has found that both fields have one origin.
+            Kind::Blocks => Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_add(sum::<X>(
                 #[inline(always)]
                 |a| {
                     if a == S::AXIS {
                         let stride = Map::<R, L, X>::root_stride(geometry, Self::MEMBER, a);
-                        run.block[a].wrapping_mul(stride).wrapping_mul(Map::<R, L, X>::block_bytes(Self::MEMBER))
+                        run.block[a].wrapping_mul(stride).wrapping_mul(Self::BLOCK_BYTES)
                     } else {
-                        block_term::<R, L, X>(handle, Self::MEMBER, a, run.block[a], run.inner[a] as i64 + offset[a])
+                        Self::block_term(&handle, a, run.block[a], run.inner[a] as i64 + offset[a])
                     }
                 },
             )),
             Kind::Any => 0,
         };
-        let moved = per_axis(
-            #[inline(always)]
-            |a| offset[a].saturating_sub(i64::from(geometry.origin[a])),
-        );
-        let (start, along, place) = (handle.root.wrapping_add(from), offset[S::AXIS], run.inner[S::AXIS] as i64);
-        Self { handle, site, start, moved, along, place, fits: run.fits, types: PhantomData }
+        let (start, place) = (handle.root.wrapping_add(from), run.inner[S::AXIS] as i64);
+        Self { handle, site, start, offset, place, fits: run.fits, types: PhantomData }
+    }
+
+    /// What place `c` within block `block` along an axis adds to an address; places below zero and beyond the extent are
+    /// those of neighbouring blocks.
+    #[inline(always)]
+    fn block_term(handle: &Handle<'a, R, L, X>, axis: usize, block: usize, c: i64) -> usize {
+        let extent = const { &Self::CHAIN.extent }[axis] as i64;
+        let (over, place) = (c.div_euclid(extent), c.rem_euclid(extent));
+        block
+            .wrapping_add(over as usize)
+            .wrapping_mul(Map::<R, L, X>::root_stride(&handle.geometry, Self::MEMBER, axis))
+            .wrapping_mul(Self::BLOCK_BYTES)
+            .wrapping_add(Map::<R, L, X>::inner(Self::MEMBER, axis, place as usize))
     }
 
     /// The address of a cell (`Even` and `Blocks`).
@@ -151,12 +137,12 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
                 }
             }
             Kind::Blocks => {
-                let along = self.along;
+                let along = self.offset[S::AXIS];
                 let term = if cell.inside {
                     Map::<R, L, X>::inner(Self::MEMBER, S::AXIS, self.place as usize)
                         .wrapping_add(((cell.k as i64 + along) as usize).wrapping_mul(Self::STRIDE))
                 } else {
-                    block_term::<R, L, X>(self.handle, Self::MEMBER, S::AXIS, 0, self.place + cell.k as i64 + along)
+                    Self::block_term(&self.handle, S::AXIS, 0, self.place + cell.k as i64 + along)
                 };
                 self.start.wrapping_add(term)
             }
@@ -168,17 +154,26 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
     #[inline(always)]
     #[track_caller]
     fn checked(&self, cell: &Cell<'_, S>) -> [u32; MAX_AXES] {
+        if self.fits && const { any_in_blocks::<S, L, X>() } {
+            // Both fields have one origin, and so the same places.
+            let place = cell.place();
+            return per_axis(
+                #[inline(always)]
+                |a| place[a].wrapping_add(self.offset[a]) as u32,
+            );
+        }
         let at = cell.at();
+        let moved = |a: usize| self.offset[a].saturating_sub(i64::from(self.handle.geometry.origin[a]));
         if self.fits {
             // The launch has compared the loop's box with the shape.
             return per_axis(
                 #[inline(always)]
-                |a| at[a].wrapping_add(self.moved[a]) as u32,
+                |a| at[a].wrapping_add(moved(a)) as u32,
             );
         }
         let place = per_axis(
             #[inline(always)]
-            |a| at[a].saturating_add(self.moved[a]),
+            |a| at[a].saturating_add(moved(a)),
         );
         let geometry = &self.handle.geometry;
         let Some(place) = inside::<X>(place, &geometry.shape) else {
@@ -244,25 +239,6 @@ fn stay_scalar() {
     unsafe {
         core::arch::asm!("", options(nomem, nostack, preserves_flags));
     }
-}
-
-/// What place `c` within block `block` along an axis adds to an address; places below zero and beyond the extent are
-/// those of neighbouring blocks.
-#[inline(always)]
-fn block_term<R: Record, L: Layout<X>, X: Axes>(
-    handle: Handle<'_, R, L, X>,
-    member: usize,
-    axis: usize,
-    block: usize,
-    c: i64,
-) -> usize {
-    let extent = Map::<R, L, X>::chain(member).extent[axis] as i64;
-    let (over, place) = (c.div_euclid(extent), c.rem_euclid(extent));
-    block
-        .wrapping_add(over as usize)
-        .wrapping_mul(Map::<R, L, X>::root_stride(&handle.geometry, member, axis))
-        .wrapping_mul(Map::<R, L, X>::block_bytes(member))
-        .wrapping_add(Map::<R, L, X>::inner(member, axis, place as usize))
 }
 
 /// Reads a path at the elements of a run, moved by a constant offset. Nothing in the loop writes it.
