@@ -2,10 +2,16 @@
 
 pub(crate) mod cpu;
 mod pool;
+mod queue;
 pub(crate) mod reduction;
 mod run;
 mod sieve;
 mod space;
+
+/// What the queue is made of: its tests model it.
+mod sync {
+    pub(super) use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+}
 
 use core::marker::PhantomData;
 use core::ops::Range;

@@ -1,12 +1,12 @@
 //! Threads: jobs are numbers, which the calling thread and a pool's workers take in turn.
 
-use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 #[cfg(not(allotrope_joined_threads))]
 use std::sync::OnceLock;
 
 #[cfg(not(allotrope_joined_threads))]
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
+use super::queue::Queue;
 use crate::schedule::{Inside, Schedule, inherit};
 
 /// One pool for each number of helping threads, made when it is first used.
@@ -24,33 +24,27 @@ fn pool(helpers: usize) -> &'static ThreadPool {
     })
 }
 
-/// Jobs to be taken, in order.
-struct Queue<'a> {
-    next: AtomicUsize,
-    jobs: usize,
-    stopped: AtomicBool,
+/// Jobs, and what is done for each.
+struct Work<'a> {
+    queue: Queue,
     job: &'a (dyn Fn(usize) + Sync),
 }
 
 /// Stops the other threads when a job panics.
-struct Stop<'a>(&'a AtomicBool);
+struct Stop<'a>(&'a Queue);
 impl Drop for Stop<'_> {
     fn drop(&mut self) {
         if std::thread::panicking() {
-            self.0.store(true, Ordering::Relaxed);
+            self.0.stop();
         }
     }
 }
 
-impl Queue<'_> {
-    fn work(&self) {
+impl Work<'_> {
+    fn run(&self) {
         let _inside = Inside::enter();
-        let _stop = Stop(&self.stopped);
-        while !self.stopped.load(Ordering::Relaxed) {
-            let job = self.next.fetch_add(1, Ordering::Relaxed);
-            if job >= self.jobs {
-                break;
-            }
+        let _stop = Stop(&self.queue);
+        while let Some(job) = self.queue.take() {
             (self.job)(job);
         }
     }
@@ -59,36 +53,36 @@ impl Queue<'_> {
 /// Runs `jobs` jobs on at most `threads` threads, the calling one included. A panic in a job is passed on after all
 /// threads have stopped.
 pub(super) fn run(threads: usize, jobs: usize, job: &(dyn Fn(usize) + Sync)) {
-    let queue = Queue { next: AtomicUsize::new(0), jobs, stopped: AtomicBool::new(false), job };
+    let work = Work { queue: Queue::new(jobs), job };
     let helpers = threads.min(jobs).saturating_sub(1);
     if helpers == 0 {
-        queue.work();
+        work.run();
         return;
     }
-    help(helpers, &queue);
+    help(helpers, &work);
 }
 
-/// Works on the queue with so many threads of a pool, and returns when all have stopped.
+/// Works with so many threads of a pool, and returns when all have stopped.
 #[cfg(not(allotrope_joined_threads))]
-fn help(helpers: usize, queue: &Queue<'_>) {
+fn help(helpers: usize, work: &Work<'_>) {
     let schedule = Schedule::current();
     pool(helpers).in_place_scope(|scope| {
         for _ in 0..helpers {
-            scope.spawn(|_| inherit(schedule, || queue.work()));
+            scope.spawn(|_| inherit(schedule, || work.run()));
         }
-        queue.work();
+        work.run();
     });
 }
 
 /// The same with threads of the launch's own, which are joined. This is for the thread sanitizer: it sees what a join orders, but not
 /// how a pool's threads sleep and wake, as the standard library is not instrumented.
 #[cfg(allotrope_joined_threads)]
-fn help(helpers: usize, queue: &Queue<'_>) {
+fn help(helpers: usize, work: &Work<'_>) {
     use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
     let schedule = Schedule::current();
     let results: Vec<std::thread::Result<()>> = std::thread::scope(|scope| {
-        let threads: Vec<_> = (0..helpers).map(|_| scope.spawn(|| inherit(schedule, || queue.work()))).collect();
-        let own = catch_unwind(AssertUnwindSafe(|| queue.work()));
+        let threads: Vec<_> = (0..helpers).map(|_| scope.spawn(|| inherit(schedule, || work.run()))).collect();
+        let own = catch_unwind(AssertUnwindSafe(|| work.run()));
         std::iter::once(own).chain(threads.into_iter().map(|thread| thread.join())).collect()
     });
     if let Some(panic) = results.into_iter().find_map(Result::err) {

@@ -9,7 +9,7 @@ use crate::axes::{Axes, MAX_AXES, per_axis, sum};
 use crate::field::Handle;
 use crate::index::inside;
 use crate::launch::{Cell, Run, Space, any_in_blocks, is_in_blocks};
-use crate::layout::{Chain, Layout, Map};
+use crate::layout::{Chain, Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record};
 
 /// The longest run whose writes are held back.
@@ -74,15 +74,27 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
         }
     }
 
+    /// Where the member would stand at index zero (`Even`). It is the same for all runs, so that the compiler takes it out of their loop.
+    #[inline(always)]
+    fn zero(geometry: &Geometry) -> usize {
+        Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_sub(sum::<X>(
+            #[inline(always)]
+            |a| {
+                let stride = Map::<R, L, X>::root_stride(geometry, Self::MEMBER, a);
+                (geometry.origin[a] as usize).wrapping_mul(stride).wrapping_mul(Self::STRIDE)
+            },
+        ))
+    }
+
     #[inline(always)]
     fn new(handle: Handle<'a, R, L, X>, site: &'static Site, run: &Run<'_, S>, offset: [i64; MAX_AXES]) -> Self {
         const { assert!(S::RANK == X::RANK, "rows are taken from fields with as many axes as the loop") }
         let geometry = &handle.geometry;
         let from = match Self::KIND {
-            Kind::Even => Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_add(sum::<X>(
+            Kind::Even => Self::zero(geometry).wrapping_add(sum::<X>(
                 #[inline(always)]
                 |a| {
-                    let at = run.at[a].wrapping_add(offset[a]).wrapping_sub(i64::from(geometry.origin[a])) as usize;
+                    let at = run.at[a].wrapping_add(offset[a]) as usize;
                     at.wrapping_mul(Map::<R, L, X>::root_stride(geometry, Self::MEMBER, a)).wrapping_mul(Self::STRIDE)
                 },
             )),
