@@ -2,9 +2,9 @@
 use allotrope::prelude::*;
 
 #[kernel]
-fn choose(u: &mut Field<f32, _>, v: &Field<f32, _>, w: &Field<f32, _>) {
+fn copy(u: &mut Field<f32, _>, v: &Field<f32, _>) {
     for p in u {
-        u[p] = (if p > 3 { v } else { w })[p];
+        u[p] = ({ v })[p];
     }
 }
 

@@ -1,0 +1,9 @@
+//! A function only reads members.
+use allotrope::prelude::*;
+
+#[func]
+fn wrong(q: Read<f32, _>, i: i32) {
+    q[i] = 1.0;
+}
+
+fn main() {}

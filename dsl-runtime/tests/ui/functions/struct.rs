@@ -1,0 +1,7 @@
+//! A struct is no function.
+use allotrope::prelude::*;
+
+#[func]
+struct Wrong;
+
+fn main() {}
