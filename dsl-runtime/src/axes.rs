@@ -19,6 +19,8 @@ pub(crate) const AXIS_NAMES: [&str; MAX_AXES] = ["i", "j", "k", "l"];
 pub trait Axes: Copy + Send + Sync + Sealed + 'static {
     /// How many there are.
     const RANK: usize;
+    /// The axes without the last: those of the lists that the last one counts the entries of.
+    type Outer: Axes;
     /// What a loop variable over them is: `()`, `i32`, `IVec2`, `IVec3` or `IVec4`.
     type Index: Copy + Send + Sync + core::fmt::Debug + PartialEq + crate::index::IntoIndex<Self>;
     /// The same as a tuple: `()`, `(i32,)`, `(i32, i32)` and so on.
@@ -42,13 +44,14 @@ pub trait Shape: Copy + Sealed {
 }
 
 macro_rules! axes {
-    ($($name:ident, $rank:literal, $index:ty, $tuple:ty, $doc:literal, |$at:pat_param| $make:expr, $make_tuple:expr;)*) => {$(
+    ($($name:ident, $rank:literal, $outer:ident, $index:ty, $tuple:ty, $doc:literal, |$at:pat_param| $make:expr, $make_tuple:expr;)*) => {$(
         #[doc = $doc]
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct $name;
         impl Sealed for $name {}
         impl Axes for $name {
             const RANK: usize = $rank;
+            type Outer = $outer;
             type Index = $index;
             type Tuple = $tuple;
             type Extents = [usize; $rank];
@@ -75,11 +78,11 @@ macro_rules! axes {
     )*};
 }
 axes! {
-    O, 0, (), (), "No axes: a single record, indexed by `()`.", |_| (), ();
-    I, 1, i32, (i32,), "One axis, `i`: lists of particles, vectors. The default.", |at| at[0], (at[0],);
-    Ij, 2, glam::IVec2, (i32, i32), "Two axes, `i` and `j`: images, grids.", |at| glam::ivec2(at[0], at[1]), (at[0], at[1]);
-    Ijk, 3, glam::IVec3, (i32, i32, i32), "Three axes, `i`, `j` and `k`: volumes.", |at| glam::ivec3(at[0], at[1], at[2]), (at[0], at[1], at[2]);
-    Ijkl, 4, glam::IVec4, (i32, i32, i32, i32), "Four axes, `i`, `j`, `k` and `l`: volumes of phase space.", |at| glam::IVec4::from_array(at), at.into();
+    O, 0, O, (), (), "No axes: a single record, indexed by `()`.", |_| (), ();
+    I, 1, O, i32, (i32,), "One axis, `i`: lists of particles, vectors. The default.", |at| at[0], (at[0],);
+    Ij, 2, I, glam::IVec2, (i32, i32), "Two axes, `i` and `j`: images, grids.", |at| glam::ivec2(at[0], at[1]), (at[0], at[1]);
+    Ijk, 3, Ij, glam::IVec3, (i32, i32, i32), "Three axes, `i`, `j` and `k`: volumes.", |at| glam::ivec3(at[0], at[1], at[2]), (at[0], at[1], at[2]);
+    Ijkl, 4, Ijk, glam::IVec4, (i32, i32, i32, i32), "Four axes, `i`, `j`, `k` and `l`: volumes of phase space.", |at| glam::IVec4::from_array(at), at.into();
 }
 
 /// One value an axis, written out: no loop hides the places from the optimiser.

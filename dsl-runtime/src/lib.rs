@@ -257,6 +257,7 @@ mod scatter;
 mod schedule;
 mod serial;
 pub mod spatial;
+mod store;
 mod unchecked;
 mod view;
 
@@ -270,7 +271,7 @@ pub use axes::{Axes, I, Ij, Ijk, Ijkl, O, Shape};
 pub use element::{Element, Scalar};
 pub use enumeration::{Enumeration, Representation};
 pub use field::{
-    AnyMember, AnyMemberMut, Field, FileError, FileFault, Member, MemberMut, NonFinite, OutOfRange, ParallelRecords,
+    AnyMember, AnyMemberMut, Entries, Field, FileError, FileFault, ListFull, Member, MemberMut, NonFinite, OutOfRange, ParallelRecords,
     Permutation, PermutationError, Records, ScanOverflow, ShapeError, ShapeMismatch, Source, SourceMut,
 };
 pub use index::{Integer, IntoIndex};

@@ -25,6 +25,6 @@ pub use crate::unchecked::Unchecked;
 
 pub use crate::serial::{
     NotAnAccess, border, byte_offset, clamped, cold, get_unchecked, index_tuples, indices, interior_indices,
-    interior_tuples, lend, locate, max, min, ndrange, or, path, read, read_at, set_unchecked, tags, wrapped, write,
+    interior_tuples, lend, locate, max, min, ndrange, or, path, read, read_at, row, row_tuples, set_unchecked, tags, wrapped, write,
     write_at,
 };

@@ -5,10 +5,10 @@ use core::ops::Range;
 use crate::axes::{Axes, MAX_AXES};
 use crate::element::Element;
 use crate::field::source::find;
-use crate::field::{Source, SourceMut};
+use crate::field::{Entries, EntryTuples, Handle, Source, SourceMut, active_places};
 use crate::index::{Integer, IntoIndex};
 use crate::launch::Border;
-use crate::layout::{Geometry, Layout, Map};
+use crate::layout::{Geometry, Layout, ListLayout, Map};
 use crate::number::{Number, zip};
 use crate::record::{Path, Record};
 use crate::view::{Read, Site, View, shared};
@@ -224,10 +224,28 @@ where
     zip::<crate::number::Max, E>(a, b)
 }
 
-/// All logical coordinates of a box in the order of a field's memory, blocks aside: the last axis of the root fastest.
-fn walk<L: Layout<X>, X: Axes>(geometry: Geometry, border: u32) -> impl Iterator<Item = [i32; MAX_AXES]> {
+/// The logical coordinates of a field's elements but a border, in the order of the memory of the branch that holds a member, blocks
+/// aside: the last axis of the root fastest. Of a sparse branch, those of the elements that are active now.
+fn walk<R: Record, L: Layout<X>, X: Axes>(
+    handle: &Handle<'_, R, L, X>,
+    m: usize,
+    border: u32,
+) -> impl Iterator<Item = [i32; MAX_AXES]> + use<R, L, X> {
+    let geometry = handle.geometry;
+    let is_sparse = Map::<R, L, X>::is_sparse(m);
+    let active = if is_sparse { active_places(handle, m) } else { Vec::new() };
     let shape = geometry.shape;
-    let (named, count) = crate::layout::order::<X>(L::CHAIN.root);
+    let inside = move |place: &[u32; MAX_AXES]| {
+        (0..X::RANK).all(|a| place[a] >= border && place[a] < shape[a].saturating_sub(border))
+    };
+    let active = active.into_iter().filter(inside).map(move |place| geometry.logical(place));
+    let all = (!is_sparse).then(|| walk_all::<X>(Map::<R, L, X>::chain(m).root, geometry, border));
+    all.into_iter().flatten().chain(active)
+}
+
+fn walk_all<X: Axes>(order: u32, geometry: Geometry, border: u32) -> impl Iterator<Item = [i32; MAX_AXES]> {
+    let shape = geometry.shape;
+    let (named, count) = crate::layout::order::<X>(order);
     let mut axes: Vec<usize> = (0..X::RANK).filter(|a| !named[..count].contains(a)).collect();
     axes.extend_from_slice(&named[..count]);
     let first = |a: usize| border.min(shape[a]);
@@ -250,14 +268,19 @@ fn walk<L: Layout<X>, X: Axes>(geometry: Geometry, border: u32) -> impl Iterator
     })
 }
 
+/// The first member of what an index of a source names.
+fn member<S: Source + ?Sized>(_: &S) -> usize {
+    <S::Path as Path<S::Record>>::OFFSET
+}
+
 /// The indices of a field, which need not be borrowed meanwhile.
 pub fn indices<S: Source<Axes = X> + ?Sized, X: Axes>(field: &S) -> impl Iterator<Item = X::Index> + use<S, X> {
-    walk::<S::Layout, X>(field.handle().geometry, 0).map(X::index)
+    walk(&field.handle(), member(field), 0).map(X::index)
 }
 
 /// The indices of a field as tuples.
 pub fn index_tuples<S: Source<Axes = X> + ?Sized, X: Axes>(field: &S) -> impl Iterator<Item = X::Tuple> + use<S, X> {
-    walk::<S::Layout, X>(field.handle().geometry, 0).map(X::tuple)
+    walk(&field.handle(), member(field), 0).map(X::tuple)
 }
 
 /// The indices of a field but a border.
@@ -265,7 +288,7 @@ pub fn interior_indices<S: Source<Axes = X> + ?Sized, X: Axes>(
     field: &S,
     width: u32,
 ) -> impl Iterator<Item = X::Index> + use<S, X> {
-    walk::<S::Layout, X>(field.handle().geometry, width).map(X::index)
+    walk(&field.handle(), member(field), width).map(X::index)
 }
 
 /// The indices of a field but a border, as tuples.
@@ -273,7 +296,41 @@ pub fn interior_tuples<S: Source<Axes = X> + ?Sized, X: Axes>(
     field: &S,
     width: u32,
 ) -> impl Iterator<Item = X::Tuple> + use<S, X> {
-    walk::<S::Layout, X>(field.handle().geometry, width).map(X::tuple)
+    walk(&field.handle(), member(field), width).map(X::tuple)
+}
+
+/// The indices of a list's entries, as they are now.
+///
+/// # Panics
+/// Where the index lies outside of the shape.
+#[track_caller]
+pub fn row<S: Source<Axes = X, Layout: ListLayout<X>> + ?Sized, X: Axes>(
+    field: &S,
+    index: impl IntoIndex<X::Outer>,
+) -> Entries<X> {
+    let handle = field.handle();
+    let (at, logical) = handle.list(index);
+    match at {
+        Some(at) => handle.entries_at(at),
+        None => crate::field::out_of_range::<S::Record>(&crate::field::OutOfRange::at::<X>(logical, &handle.geometry)),
+    }
+}
+
+/// The same as tuples.
+///
+/// # Panics
+/// Where the index lies outside of the shape.
+#[track_caller]
+pub fn row_tuples<S: Source<Axes = X, Layout: ListLayout<X>> + ?Sized, X: Axes>(
+    field: &S,
+    index: impl IntoIndex<X::Outer>,
+) -> EntryTuples<X> {
+    let handle = field.handle();
+    let (at, logical) = handle.list(index);
+    match at {
+        Some(at) => handle.entries_at(at).tuples(),
+        None => crate::field::out_of_range::<S::Record>(&crate::field::OutOfRange::at::<X>(logical, &handle.geometry)),
+    }
 }
 
 /// The border of a field.
@@ -285,22 +342,22 @@ pub fn border<S: Source + ?Sized>(field: &S, width: u32) -> Border {
 impl<R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'_, R, L, X, WRITE> {
     /// The indices of the field.
     pub fn indices(&self) -> impl Iterator<Item = X::Index> + use<R, L, X, WRITE> {
-        walk::<L, X>(self.handle.geometry, 0).map(X::index)
+        walk(&self.handle, 0, 0).map(X::index)
     }
 
     /// The indices of the field as tuples.
     pub fn index_tuples(&self) -> impl Iterator<Item = X::Tuple> + use<R, L, X, WRITE> {
-        walk::<L, X>(self.handle.geometry, 0).map(X::tuple)
+        walk(&self.handle, 0, 0).map(X::tuple)
     }
 
     /// The indices of the field but a border.
     pub fn interior_indices(&self, width: u32) -> impl Iterator<Item = X::Index> + use<R, L, X, WRITE> {
-        walk::<L, X>(self.handle.geometry, width).map(X::index)
+        walk(&self.handle, 0, width).map(X::index)
     }
 
     /// The indices of the field but a border, as tuples.
     pub fn interior_tuples(&self, width: u32) -> impl Iterator<Item = X::Tuple> + use<R, L, X, WRITE> {
-        walk::<L, X>(self.handle.geometry, width).map(X::tuple)
+        walk(&self.handle, 0, width).map(X::tuple)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::axes::Axes;
+use crate::axes::{Axes, MAX_AXES};
 use crate::index::IntoIndex;
 use crate::layout::Geometry;
 
@@ -35,6 +35,18 @@ pub enum ShapeError {
         /// Its extent.
         extent: usize,
     },
+    /// The layout's outermost node is `hash`: its fields have no extents.
+    Unbounded,
+    /// A list's entries are counted from zero.
+    List {
+        /// Its axis.
+        axis: &'static str,
+    },
+    /// As many extents were given as the field has axes, one of which is counted by the entries of lists.
+    ListExtent {
+        /// Its axis.
+        axis: &'static str,
+    },
     /// The field's bytes overflow the address space.
     TooLarge {
         /// The extents.
@@ -65,6 +77,13 @@ impl fmt::Display for ShapeError {
                 i32::MIN,
                 i32::MAX - 1
             ),
+            Self::Unbounded => f.write_str(
+                "a layout whose outermost node is `hash` takes no extents: write `Field::<R, L, X>::unbounded()`",
+            ),
+            Self::List { axis } => write!(f, "the entries of lists, along axis `{axis}`, are counted from zero"),
+            Self::ListExtent { axis } => {
+                write!(f, "axis `{axis}` is that of lists, whose maximum the layout gives: leave it out of the extents")
+            }
             Self::TooLarge { shape } => write!(f, "a field of shape {shape:?} does not fit in the address space"),
             Self::OutOfMemory { shape, bytes } => {
                 write!(f, "a field of shape {shape:?} needs {bytes} bytes, which the system refuses")
@@ -106,8 +125,13 @@ pub struct OutOfRange {
 impl OutOfRange {
     /// That an index lies outside of a field of this geometry.
     pub(crate) fn new<X: Axes>(index: impl IntoIndex<X>, geometry: &Geometry) -> Self {
+        Self::at::<X>(index.coordinates(), geometry)
+    }
+
+    /// That coordinates lie outside of a field of this geometry.
+    pub(crate) fn at<X: Axes>(at: [i64; MAX_AXES], geometry: &Geometry) -> Self {
         Self {
-            index: index.coordinates()[..X::RANK].to_vec(),
+            index: at[..X::RANK].to_vec(),
             shape: geometry.extents::<X>().as_ref().to_vec(),
             origin: geometry.origin[..X::RANK].to_vec(),
         }

@@ -3,14 +3,14 @@
 use core::fmt;
 use core::sync::atomic::{AtomicUsize, Ordering};
 
-use super::host::Places;
+use super::elements::Elements;
 use super::parts::each_part;
 use super::{Field, Handle};
 use crate::axes::{Axes, MAX_AXES};
 use crate::element::Kind;
 use crate::index::IntoIndex;
 use crate::layout::Layout;
-use crate::record::{ElementList, Names, Record};
+use crate::record::{ElementList, Names, Record, Whole};
 
 /// A number of a field that is NaN or infinite: [`Field::find_nonfinite`].
 #[derive(Clone, Copy, Debug)]
@@ -59,12 +59,13 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
         let handle = self.handle();
         // The first part in which something was found: later ones need no search.
         let least = AtomicUsize::new(usize::MAX);
-        let found = each_part(self.len(), |part| {
+        let elements = Elements::of::<Whole, R, L, X>(&handle);
+        let found = each_part(elements.len(), |part| {
             let first = part.start;
             if first > least.load(Ordering::Relaxed) {
                 return None;
             }
-            let found = Places::<X>::part(handle.geometry.shape, part).find_map(|at| nonfinite_at(&handle, at));
+            let found = elements.part::<X>(part).find_map(|at| nonfinite_at(&handle, at));
             if found.is_some() {
                 least.fetch_min(first, Ordering::Relaxed);
             }

@@ -2,6 +2,7 @@
 
 use core::ops::Range;
 
+use super::elements::Elements;
 use super::{Field, Handle, OutOfRange};
 use crate::axes::{Axes, MAX_AXES};
 use crate::index::IntoIndex;
@@ -55,15 +56,15 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     pub fn try_set(&mut self, index: impl IntoIndex<X>, record: R) -> Result<(), OutOfRange> {
         let at = self.find(index)?;
         // SAFETY: `find` returns indices within the shape; `&mut self` is exclusive.
-        unsafe { self.handle().write::<Whole>(at, record) };
+        unsafe { self.handle_mut().write::<Whole>(at, record) };
         Ok(())
     }
 
-    /// Puts the same record everywhere.
+    /// Puts the same record everywhere; in a sparse field, into the active elements.
     pub fn fill(&mut self, record: R) {
-        let handle = self.handle();
-        for at in Places::<X>::new(handle.geometry.shape) {
-            // SAFETY: places lie within the shape; `&mut self` is exclusive.
+        let handle = self.handle_mut();
+        for at in Elements::of::<Whole, R, L, X>(&handle).all::<X>() {
+            // SAFETY: elements lie within the shape; `&mut self` is exclusive.
             unsafe { handle.write::<Whole>(at, record) };
         }
     }
@@ -95,7 +96,7 @@ pub(crate) struct Places<X> {
 impl<X: Axes> Places<X> {
     /// All of them.
     pub(crate) fn new(shape: [u32; MAX_AXES]) -> Self {
-        let len = shape.iter().map(|&n| n as usize).product();
+        let len = shape.iter().fold(1, |len: usize, &n| len.saturating_mul(n as usize));
         Self { shape, next: [0; MAX_AXES], left: 0..len, axes: core::marker::PhantomData }
     }
 
@@ -103,16 +104,16 @@ impl<X: Axes> Places<X> {
     pub(crate) fn part(shape: [u32; MAX_AXES], part: Range<usize>) -> Self {
         let mut this = Self::new(shape);
         assert!(part.start <= part.end && part.end <= this.left.end, "places that the shape has");
-        this.next = this.numbered(part.start);
+        this.next = Self::numbered(shape, part.start);
         this.left = part;
         this
     }
 
     /// The place of a number in row-major order. Divides once an axis: for ends and jumps.
-    fn numbered(&self, number: usize) -> [u32; MAX_AXES] {
+    pub(crate) fn numbered(shape: [u32; MAX_AXES], number: usize) -> [u32; MAX_AXES] {
         let (mut at, mut rest) = ([0; MAX_AXES], number);
         for axis in (0..X::RANK).rev() {
-            let extent = (self.shape[axis] as usize).max(1);
+            let extent = (shape[axis] as usize).max(1);
             at[axis] = (rest % extent) as u32;
             rest /= extent;
         }
@@ -148,7 +149,7 @@ impl<X: Axes> Iterator for Places<X> {
 impl<X: Axes> DoubleEndedIterator for Places<X> {
     fn next_back(&mut self) -> Option<Self::Item> {
         let number = self.left.next_back()?;
-        Some(self.numbered(number))
+        Some(Self::numbered(self.shape, number))
     }
 }
 impl<X: Axes> ExactSizeIterator for Places<X> {}

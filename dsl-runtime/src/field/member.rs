@@ -2,6 +2,7 @@
 
 use core::marker::PhantomData;
 
+use super::elements::Elements;
 use super::host::{Places, out_of_range};
 use super::{Field, Handle, OutOfRange};
 use crate::axes::Axes;
@@ -115,10 +116,10 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> MemberMut<'_, R, L, X, P> {
         unsafe { self.0.write::<P>(at, value) };
     }
 
-    /// Puts the same value everywhere.
+    /// Puts the same value everywhere; in a sparse field, into the active elements.
     pub fn fill(&mut self, value: P::Value) {
-        for at in Places::<X>::new(self.0.geometry.shape) {
-            // SAFETY: places lie within the shape; this member is ours alone.
+        for at in Elements::of::<P, R, L, X>(&self.0).all::<X>() {
+            // SAFETY: elements lie within the shape; this member is ours alone.
             unsafe { self.0.write::<P>(at, value) };
         }
     }

@@ -1,10 +1,13 @@
 //! Fields: storage, and how the host reaches it.
 
 mod copy;
+mod elements;
 mod error;
 mod file;
 mod finite;
+mod handle;
 mod host;
+mod lists;
 mod member;
 pub(crate) mod memory;
 mod order;
@@ -13,28 +16,33 @@ mod parts;
 mod reduce;
 mod scan;
 pub(crate) mod source;
+mod sparse;
+mod storage;
 
 use core::fmt;
 use core::marker::PhantomData;
 use std::sync::Mutex;
 
+pub(crate) use elements::active_places;
 pub(crate) use error::Spans;
 pub use error::{OutOfRange, ShapeError, ShapeMismatch};
 pub use file::{FileError, FileFault};
 pub use finite::NonFinite;
+pub use handle::Handle;
 pub use host::Records;
 pub(crate) use host::out_of_range;
+pub use lists::{Entries, EntryTuples, ListFull};
 pub use member::{Member, MemberMut};
 pub use order::{Permutation, PermutationError};
 pub use parallel::ParallelRecords;
 pub use scan::ScanOverflow;
 pub use source::{AnyMember, AnyMemberMut, Source, SourceMut};
 
-use crate::axes::{Axes, I, MAX_AXES, Shape};
-use crate::index::{IntoIndex, within};
-use crate::layout::{Geometry, Layout, Map};
-use crate::record::{Path, Record};
-use memory::Memory;
+use crate::axes::{AXIS_NAMES, Axes, I, Shape};
+use crate::index::IntoIndex;
+use crate::layout::{Geometry, Layout, Map, Opens};
+use crate::record::Record;
+pub(crate) use storage::Storage;
 
 /// Storage: records `R` in the layout `L` over the axes `X`.
 ///
@@ -50,105 +58,22 @@ use memory::Memory;
 /// assert_eq!(same.get([3, 5]), 1.5);
 /// ```
 pub struct Field<R, L, X = I> {
-    memory: Memory,
+    storage: Storage,
     geometry: Geometry,
     /// Private copies of former launches, kept for the next one.
-    spare: Mutex<Vec<Memory>>,
+    spare: Mutex<Vec<Storage>>,
     marker: PhantomData<(R, L, X)>,
-}
-
-/// A field's address and geometry, which views copy. What may be done through it is its maker's promise.
-#[doc(hidden)]
-pub struct Handle<'a, R, L, X> {
-    pub(crate) root: *mut u8,
-    pub(crate) geometry: Geometry,
-    /// Where private copies of the field are kept between launches; nowhere for memory that is no field's.
-    pub(crate) spare: Option<&'a Mutex<Vec<Memory>>>,
-    marker: PhantomData<(R, L, X)>,
-}
-
-impl<R, L, X> Clone for Handle<'_, R, L, X> {
-    #[inline(always)]
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-impl<R, L, X> Copy for Handle<'_, R, L, X> {}
-
-// SAFETY: a handle is an address; every read or write through it is justified where it is made, by the borrow of the
-// field (host views) or by the launch's rules (kernel views).
-unsafe impl<R, L, X> Send for Handle<'_, R, L, X> {}
-// SAFETY: as above.
-unsafe impl<R, L, X> Sync for Handle<'_, R, L, X> {}
-
-impl<R, L, X> Handle<'_, R, L, X> {
-    /// A handle for the elements of a slice.
-    #[inline]
-    pub(crate) fn of_slice(root: *mut u8, geometry: Geometry) -> Self {
-        Self { root, geometry, spare: None, marker: PhantomData }
-    }
-}
-
-impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
-    /// The same geometry at another address, where as many bytes lie.
-    #[inline(always)]
-    pub(crate) fn at(self, root: *mut u8) -> Self {
-        Self { root, ..self }
-    }
-
-    /// A member's first component at an element, and the distance of its components.
-    #[inline(always)]
-    pub(crate) fn component(&self, m: usize, at: [u32; MAX_AXES]) -> (*mut u8, usize) {
-        let offset = Map::<R, L, X>::offset(&self.geometry, m, at);
-        (self.root.wrapping_add(offset), Map::<R, L, X>::component(&self.geometry, m))
-    }
-
-    /// Reads a path at an element.
-    ///
-    /// # Safety
-    /// The element lies within the shape, and nobody writes it meanwhile.
-    #[inline(always)]
-    pub(crate) unsafe fn read<P: Path<R>>(&self, at: [u32; MAX_AXES]) -> P::Value {
-        // SAFETY: components of elements within the shape lie in the field's memory, which holds values of their types.
-        unsafe {
-            P::gather(
-                #[inline(always)]
-                |m| self.component(m, at),
-            )
-        }
-    }
-
-    /// Writes a path at an element.
-    ///
-    /// # Safety
-    /// The element lies within the shape, and nobody reads or writes it meanwhile.
-    #[inline(always)]
-    pub(crate) unsafe fn write<P: Path<R>>(&self, at: [u32; MAX_AXES], value: P::Value) {
-        // SAFETY: as for `read`, and the caller has the element to itself.
-        unsafe {
-            P::scatter(
-                value,
-                #[inline(always)]
-                |m| self.component(m, at),
-            )
-        }
-    }
-
-    /// Whether an index lies within the shape.
-    #[inline(always)]
-    pub(crate) fn locate(&self, index: impl IntoIndex<X>) -> Option<[u32; MAX_AXES]> {
-        within::<X>(index.coordinates(), &self.geometry)
-    }
 }
 
 impl<R: Record, L> Field<R, L> {
-    /// A field of so many elements an axis, full of zeros. The axes follow from the number of extents.
+    /// A field of so many elements an axis, full of zeros; a sparse one is empty. The axes follow from the number of extents; those of a
+    /// layout with lists leave out the lists' axis.
     ///
     /// # Panics
     /// Where [`try_new`](Self::try_new) returns an error.
-    pub fn new<S: Shape>(shape: S) -> Field<R, L, S::X>
+    pub fn new<S: Shape, K>(shape: S) -> Field<R, L, L::X>
     where
-        L: Layout<S::X>,
+        L: Opens<S::X, K>,
     {
         Self::try_new(shape).unwrap_or_else(|error| panic!("`{}`: {error}", core::any::type_name::<R>()))
     }
@@ -163,26 +88,34 @@ impl<R: Record, L> Field<R, L> {
     /// let error = Field::<f32, Aos>::try_new([1 << 40]).unwrap_err();
     /// assert!(error.to_string().starts_with("axis `i` has 1099511627776 elements"));
     /// ```
-    pub fn try_new<S: Shape>(shape: S) -> Result<Field<R, L, S::X>, ShapeError>
+    pub fn try_new<S: Shape, K>(shape: S) -> Result<Field<R, L, L::X>, ShapeError>
     where
-        L: Layout<S::X>,
+        L: Opens<S::X, K>,
     {
-        Field::<R, L, S::X>::with_extents(shape.per_axis())
+        Field::<R, L, L::X>::with_extents(L::extents(shape.per_axis())?)
     }
 }
 
 impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     pub(crate) fn with_extents(extents: crate::axes::PerAxis) -> Result<Self, ShapeError> {
         Map::<R, L, X>::complete();
+        if Map::<R, L, X>::is_unbounded() {
+            return Err(ShapeError::Unbounded);
+        }
         let geometry = Geometry::new::<L, X>(extents)?;
         let shape = || extents[..X::RANK].to_vec();
         let bytes = Map::<R, L, X>::bytes(&geometry).ok_or_else(|| ShapeError::TooLarge { shape: shape() })?;
-        let memory = Memory::zeroed(bytes, Map::<R, L, X>::LINE)
-            .ok_or_else(|| ShapeError::OutOfMemory { shape: shape(), bytes })?;
-        Ok(Self { memory, geometry, spare: Mutex::new(Vec::new()), marker: PhantomData })
+        let storage =
+            Storage::new::<R, L, X>(&geometry).ok_or_else(|| ShapeError::OutOfMemory { shape: shape(), bytes })?;
+        Ok(Self::with_storage(storage, geometry))
     }
 
-    /// This field with the same record everywhere: what a fresh field holds.
+    pub(crate) fn with_storage(storage: Storage, geometry: Geometry) -> Self {
+        Self { storage, geometry, spare: Mutex::new(Vec::new()), marker: PhantomData }
+    }
+
+    /// This field with the same record everywhere: what a fresh field holds. Of a sparse field, inactive elements hold it, too, and those
+    /// that become active.
     ///
     /// ```
     /// use allotrope::prelude::*;
@@ -192,6 +125,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     #[must_use]
     pub fn with_background(mut self, record: R) -> Self {
         self.fill(record);
+        self.set_background(record);
         self
     }
 
@@ -239,14 +173,28 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     /// assert!(error.to_string().starts_with("the 128 indices of axis `i` from 2147483547 on reach beyond those of an `i32`"));
     /// ```
     pub fn try_with_origin(mut self, origin: impl IntoIndex<X>) -> Result<Self, ShapeError> {
-        self.geometry = self.geometry.with_origin::<X>(origin.coordinates())?;
+        let origin = origin.coordinates();
+        if Map::<R, L, X>::is_unbounded() {
+            return Err(ShapeError::Unbounded);
+        }
+        if let Some(list) = Map::<R, L, X>::list().filter(|list| origin[list.axis] != 0) {
+            return Err(ShapeError::List { axis: AXIS_NAMES[list.axis] });
+        }
+        self.geometry = self.geometry.with_origin::<X>(origin)?;
         Ok(self)
     }
 
     /// A handle for reading, while `self` is borrowed; or for writing, where the caller holds `&mut`.
     #[inline(always)]
     pub(crate) fn handle(&self) -> Handle<'_, R, L, X> {
-        Handle { root: self.memory.start(), geometry: self.geometry, spare: Some(&self.spare), marker: PhantomData }
+        Handle::new(self.storage.start(), self.geometry, Some(&self.spare), false)
+    }
+
+    /// A handle for whatever `&mut` allows.
+    #[inline(always)]
+    pub(crate) fn handle_mut(&mut self) -> Handle<'_, R, L, X> {
+        self.storage.settle();
+        Handle::new(self.storage.start(), self.geometry, Some(&self.spare), true)
     }
 
     /// Elements along each axis.
@@ -276,7 +224,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
 
     /// Bytes of memory that hold the elements, cells of partial blocks included.
     pub fn bytes(&self) -> usize {
-        self.memory.bytes()
+        self.storage.bytes()
     }
 }
 
@@ -293,8 +241,8 @@ impl<R: Record + fmt::Debug, L: Layout<X>, X: Axes> fmt::Debug for Field<R, L, X
 
 impl<R: Record, L: Layout<X>, X: Axes> Clone for Field<R, L, X> {
     fn clone(&self) -> Self {
-        let mut memory = Memory::zeroed_or_abort(self.memory.bytes(), Map::<R, L, X>::LINE);
-        memory.as_mut_slice().copy_from_slice(self.memory.as_slice());
-        Self { memory, geometry: self.geometry, spare: Mutex::new(Vec::new()), marker: PhantomData }
+        let mut field = Self::with_storage(Storage::new_or_abort::<R, L, X>(&self.geometry), self.geometry);
+        field.take_all(self, |at| at);
+        field
     }
 }

@@ -3,9 +3,10 @@
 use core::fmt;
 
 use super::parts::{each_part, in_parts};
-use super::{Field, Memory};
+use super::elements::Elements;
+use super::{Field, Storage};
 use crate::axes::{Axes, I};
-use crate::layout::{Layout, Map};
+use crate::layout::Layout;
 use crate::record::{Record, Whole};
 
 /// An order of records, such as [`Field::reorder_by_key`] makes: `old_places()[n]` is where the record now at `n` stood
@@ -113,7 +114,8 @@ impl Permutation {
 }
 
 impl<R: Record, L: Layout<I>> Field<R, L, I> {
-    /// Sorts whole records by a key, stably, all members at once, and returns the permutation.
+    /// Sorts whole records by a key, stably, all members at once, and returns the permutation. In a sparse field, the active elements'
+    /// records are sorted, a list's entries; which elements are active stays as it is.
     ///
     /// The key is called once a record. Keys below the number of records (cells of a grid, say) are sorted by counting,
     /// in linear time.
@@ -128,24 +130,40 @@ impl<R: Record, L: Layout<I>> Field<R, L, I> {
     /// ```
     pub fn reorder_by_key<K: Into<u64>>(&mut self, key: impl Fn(&R) -> K + Sync) -> Permutation {
         let from = self.handle();
-        let mut keys = vec![0u64; self.len()];
+        let elements = Elements::of::<Whole, R, L, I>(&from);
+        let mut keys = vec![0u64; elements.len()];
         in_parts(&mut keys, |first, keys| {
-            for (n, to) in keys.iter_mut().enumerate() {
-                // SAFETY: the place lies within the shape; `&mut self` keeps writers away.
-                *to = key(&unsafe { from.read::<Whole>(I::place((first + n) as u32)) }).into();
+            let places = elements.part::<I>(first..first + keys.len());
+            for (to, at) in keys.iter_mut().zip(places) {
+                // SAFETY: elements lie within the shape; `&mut self` keeps writers away.
+                *to = key(&unsafe { from.read::<Whole>(at) }).into();
             }
         });
         let mut old = stable_order(&keys);
-        let memory = Memory::zeroed_or_abort(self.memory.bytes(), Map::<R, L, I>::LINE);
-        let to = from.at(memory.start());
+        if let Elements::Active(places) = &elements {
+            // Activity stays as it is: the active elements' records change places among them.
+            // SAFETY: as above.
+            let records: Vec<R> =
+                each_part(old.len(), |part| part.map(|n| unsafe { from.read::<Whole>(places[old[n] as usize]) }).collect::<Vec<R>>())
+                    .concat();
+            each_part(old.len(), |part| {
+                for n in part {
+                    // SAFETY: each part writes its own elements, which `&mut self` keeps others from.
+                    unsafe { from.write::<Whole>(places[n], records[n]) };
+                }
+            });
+            return Permutation { old };
+        }
+        let storage = Storage::new_or_abort::<R, L, I>(&self.geometry);
+        let to = from.at(storage.start());
         in_parts(&mut old, |first, old| {
             for (n, &mut before) in old.iter_mut().enumerate() {
-                // SAFETY: `old` is a permutation of the field's places, of which each part writes its own; `memory` has
+                // SAFETY: `old` is a permutation of the field's places, of which each part writes its own; `storage` has
                 // the field's geometry, and nobody reads it yet.
                 unsafe { to.write::<Whole>(I::place((first + n) as u32), from.read::<Whole>(I::place(before))) };
             }
         });
-        self.memory = memory;
+        self.storage = storage;
         Permutation { old }
     }
 
@@ -172,19 +190,20 @@ impl<R: Record, L: Layout<I>> Field<R, L, I> {
     /// Where field, permutation and source are not of one length.
     #[track_caller]
     pub fn scatter<M: Layout<I>>(&mut self, permutation: &Permutation, source: &Field<R, M, I>) {
-        assert!(
-            permutation.len() == source.len() && self.len() == source.len(),
-            "`scatter`: a field of {} elements, a permutation of {} and a source of {}",
-            self.len(),
-            permutation.len(),
-            source.len()
-        );
         let (from, to) = (source.handle(), self.handle());
-        each_part(self.len(), |part| {
-            for n in part {
+        let (sources, places) = (Elements::of::<Whole, R, M, I>(&from), Elements::of::<Whole, R, L, I>(&to));
+        assert!(
+            permutation.len() == sources.len() && places.len() == sources.len(),
+            "`scatter`: a field of {} elements, a permutation of {} and a source of {}",
+            places.len(),
+            permutation.len(),
+            sources.len()
+        );
+        each_part(places.len(), |part| {
+            for (n, at) in part.clone().zip(places.part::<I>(part)) {
                 // SAFETY: a permutation's places lie within its length, which is that of both; each part writes its own
                 // places of this field, which `&mut self` keeps others from.
-                unsafe { to.write::<Whole>(I::place(n as u32), from.read::<Whole>(I::place(permutation.old[n]))) };
+                unsafe { to.write::<Whole>(at, from.read::<Whole>(sources.nth::<I>(permutation.old[n] as usize))) };
             }
         });
     }

@@ -1,6 +1,6 @@
 //! Reductions on the host side, in a fixed order.
 
-use super::host::Places;
+use super::elements::Elements;
 use super::parts::each_part;
 use super::{Field, Handle, Member};
 use crate::axes::Axes;
@@ -8,7 +8,7 @@ use crate::layout::Layout;
 use crate::record::{Path, Record, Whole};
 
 impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
-    /// All records combined into one, in parallel.
+    /// All records combined into one, in parallel; of a sparse field, those of the active elements.
     ///
     /// Parts of fixed size are combined from their first record on, in logical order, and then part after part,
     /// beginning with `identity`. So the result has the same bits for any number of threads and any layout. `combine`
@@ -76,10 +76,10 @@ fn reduce<P: Path<R>, R: Record, L: Layout<X>, X: Axes, T: Send>(
     map: impl Fn(P::Value) -> T + Sync,
     combine: impl Fn(T, T) -> T + Sync,
 ) -> T {
-    let shape = handle.geometry.shape;
-    let parts = each_part(handle.geometry.len(), |part| {
-        // SAFETY: places lie within the shape; whoever made the handle borrows the field, which keeps writers away.
-        Places::<X>::part(shape, part).map(|at| map(unsafe { handle.read::<P>(at) })).reduce(&combine)
+    let elements = Elements::of::<P, R, L, X>(handle);
+    let parts = each_part(elements.len(), |part| {
+        // SAFETY: elements lie within the shape; whoever made the handle borrows the field, which keeps writers away.
+        elements.part::<X>(part).map(|at| map(unsafe { handle.read::<P>(at) })).reduce(&combine)
     });
     parts.into_iter().flatten().fold(identity, combine)
 }

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::host::Places;
+use super::elements::Elements;
 use super::parts::{PART, each_part};
 use super::{Field, MemberMut};
 use crate::axes::I;
@@ -50,12 +50,13 @@ where
     /// Where a sum of integers overflows; the values then stay as they were.
     pub fn try_exclusive_scan(&mut self) -> Result<P::Value, ScanOverflow> {
         let handle = self.handle();
-        let (shape, len) = (handle.geometry.shape, handle.geometry.len());
+        let elements = Elements::of::<P, R, L, I>(handle);
+        let len = elements.len();
         // Not `EMPTY_SUM`, which is -0.0 for floats.
         let zero = P::Value::EMPTY_PRODUCT.minus(P::Value::EMPTY_PRODUCT);
         let values = |part| {
-            // SAFETY: places lie within the shape; this member is ours alone, and nobody writes it while it is read.
-            Places::<I>::part(shape, part).map(|at| unsafe { handle.read::<P>(at) })
+            // SAFETY: elements lie within the shape; this member is ours alone, and nobody writes it while it is read.
+            elements.part::<I>(part).map(|at| unsafe { handle.read::<P>(at) })
         };
 
         let sums = each_part(len, |part| values(part).fold(zero, Number::plus));
@@ -85,8 +86,8 @@ where
             // What is before the part and what is in it are summed apart, as for the sum of all: sums of numbers that
             // are not negative then never fall from one part to the next.
             let (start, mut sum) = (before[part.start / PART], zero);
-            for at in Places::<I>::part(shape, part) {
-                // SAFETY: places lie within the shape; this member is ours alone, and each part has its own places.
+            for at in elements.part::<I>(part) {
+                // SAFETY: elements lie within the shape; this member is ours alone, and each part has its own places.
                 let value = unsafe { handle.read::<P>(at) };
                 // SAFETY: as above.
                 unsafe { handle.write::<P>(at, start.plus(sum)) };

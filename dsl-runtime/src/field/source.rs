@@ -220,7 +220,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Source for Field<R, L, X> {
 impl<R: Record, L: Layout<X>, X: Axes> SourceMut for Field<R, L, X> {
     #[inline(always)]
     fn handle_mut(&mut self) -> Handle<'_, R, L, X> {
-        Field::handle(self)
+        Field::handle_mut(self)
     }
 }
 

@@ -1,5 +1,6 @@
 //! Parallel loops: a space is cut into blocks, jobs take blocks, and the body runs in the version for the processor.
 
+mod bricks;
 pub(crate) mod cpu;
 mod pool;
 mod queue;
@@ -43,6 +44,8 @@ pub struct Options<'a> {
     pub targets: &'a [&'a dyn Scattered],
     /// If iterations read and change elements of each other: whether every component there can be reached atomically.
     pub together: Option<bool>,
+    /// Whether the loop takes places in lists, whose order is that of the loop under `deterministic`.
+    pub ordered: bool,
 }
 
 impl core::fmt::Debug for Options<'_> {
@@ -234,7 +237,7 @@ fn start<const CAREFUL: bool, S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + S
         "kernel `{}`: iterations that meet in one element, in a `#[relaxed]` loop or by `fetch_add` and its like, come in no fixed order, which `deterministic` forbids",
         options.kernel
     );
-    let alone = Inside::now() || options.together == Some(false);
+    let alone = Inside::now() || options.together == Some(false) || (options.ordered && schedule.deterministic);
     let threads = if alone { 1 } else { schedule.thread_count() };
     let alone = threads == 1;
     let grain = grain(&schedule, options.heavy);

@@ -20,6 +20,9 @@ pub struct Run<'t, S> {
     /// The block of the loop's field, and the place of element 0 in it.
     pub(crate) block: PerAxis,
     pub(crate) inner: PerAxis,
+    /// Where the block begins, and the memory of the loop's field (sparse fields); else null.
+    pub(crate) brick: *mut u8,
+    pub(crate) root: *mut u8,
     /// Whether the run is a whole run of a block, its length a constant.
     pub(crate) whole: bool,
     /// Whether the loop's box with all offsets lies within every field that rows are taken from.
@@ -69,7 +72,10 @@ impl<S: Space> Run<'_, S> {
             }
         } else {
             for slot in 0..self.len {
-                once(&mut body, self.cell(slot, halo == 0));
+                let k = self.first + slot;
+                // Rows of sparse blocks are often cut: neighbours are looked up at the ends alone.
+                let inside = halo == 0 || (const { S::SPARSE } && k >= halo && k + halo < S::RUN);
+                once(&mut body, self.cell(slot, inside));
             }
         }
     }

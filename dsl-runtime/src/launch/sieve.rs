@@ -217,6 +217,7 @@ impl<S: Space, F: Sieve> Space for Sifted<S, F> {
     const RUN: usize = S::RUN;
     const EXTENT: PerAxis = S::EXTENT;
     const DIGITS: &'static [Digit] = S::DIGITS;
+    const SPARSE: bool = S::SPARSE;
 
     /// As many as there are to sift: what decides how they are dealt out.
     fn elements(&self) -> usize {
@@ -256,8 +257,8 @@ impl<S: Space, F: Sieve> Space for Sifted<S, F> {
                             at[S::AXIS] += first as i64;
                             first = 0;
                         }
-                        let Run { block, inner, fits, .. } = part;
-                        run(Run { at, first, len, block, inner, whole: false, fits, owner: PhantomData });
+                        let Run { block, inner, brick, root, fits, .. } = part;
+                        run(Run { at, first, len, block, inner, brick, root, whole: false, fits, owner: PhantomData });
                     },
                 );
             },

@@ -4,12 +4,14 @@ use core::marker::PhantomData;
 use core::ops::Range;
 
 use super::run::Run;
+use std::sync::Arc;
 use crate::axes::{Axes, I, Ij, Ijk, Ijkl, MAX_AXES, PerAxis, all, per_axis};
 use crate::element::Sealed;
 use crate::index::Integer;
 use crate::layout::node::{Chained, nth_row, order, rows};
 use crate::layout::{Chain, Digit, Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record, Whole};
+use crate::store::active::ActiveList;
 use crate::view::{Places, View};
 
 /// What a parallel loop runs over. The list is closed: each element is visited exactly once.
@@ -29,6 +31,8 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
     const EXTENT: PerAxis;
     /// The arrangement of the blocks.
     const DIGITS: &'static [Digit];
+    /// Whether blocks are found through the loop's field alone.
+    const SPARSE: bool = false;
     /// Elements in all.
     fn elements(&self) -> usize;
     /// What is dealt out to threads: blocks, or elements where there are none.
@@ -89,6 +93,9 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
     }
 }
 
+/// What runs have for a block that is found by its place alone.
+const NOWHERE: *mut u8 = core::ptr::null_mut();
+
 /// Whether rows of a branch step through the blocks of a loop's field, which are arranged as its own.
 pub(crate) const fn is_in_blocks<S: Space>(chain: &Chain) -> bool {
     S::RUN > 0 && !chain.is_flat() && same(S::DIGITS, chain.digits)
@@ -127,12 +134,43 @@ pub struct Cells<R, L, X, P> {
     /// The first index of the field.
     origin: [i32; MAX_AXES],
     /// The box in places.
-    first: [u32; MAX_AXES],
-    end: [u32; MAX_AXES],
+    pub(super) first: [u32; MAX_AXES],
+    pub(super) end: [u32; MAX_AXES],
     /// The same in the root's cells.
     first_block: PerAxis,
     blocks: PerAxis,
+    /// The active elements, and the field's memory (sparse branches); else null.
+    active: Active,
     types: PhantomData<(Types<R, L>, Types<X, P>)>,
+}
+
+/// The active elements of a loop's field when the loop began.
+///
+/// The field keeps the list until it is borrowed exclusively again: beyond the end of the loop.
+#[derive(Clone, Copy, Debug)]
+struct Active {
+    list: *const ActiveList,
+    root: *mut u8,
+}
+// SAFETY: the list is read alone.
+unsafe impl Send for Active {}
+// SAFETY: as above.
+unsafe impl Sync for Active {}
+
+impl Active {
+    #[inline(always)]
+    fn list(&self) -> Option<&ActiveList> {
+        // SAFETY: null, or a list that the field keeps for as long as the space is used.
+        unsafe { self.list.as_ref() }
+    }
+
+    /// The part of `first..end` along an axis in which active blocks lie, each of so many elements.
+    fn clipped(&self, axis: usize, extent: u32, first: u32, end: u32) -> (u32, u32) {
+        let Some(list) = self.list() else { return (first, end) };
+        let at = |block: u64| block.saturating_mul(extent.into()).min(u64::from(u32::MAX)) as u32;
+        let first = first.max(at(list.first[axis])).min(end);
+        (first, end.min(at(list.end[axis])).max(first))
+    }
 }
 
 /// Types that are named alone.
@@ -158,13 +196,14 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Chained<X> for Cells<R, L, X,
 }
 
 impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
-    fn new(geometry: Geometry, border: u32) -> Self {
+    fn new(geometry: Geometry, border: u32, active: Active) -> Self {
         let mut this = Self {
             origin: geometry.origin,
             first: [0; MAX_AXES],
             end: [1; MAX_AXES],
             first_block: [0; MAX_AXES],
             blocks: [1; MAX_AXES],
+            active,
             types: PhantomData,
         };
         for axis in 0..X::RANK {
@@ -172,11 +211,24 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             let size = geometry.shape[axis];
             let first = border.min(size);
             let end = size.saturating_sub(border).max(first);
+            let (first, end) = active.clipped(axis, extent, first, end);
             (this.first[axis], this.end[axis]) = (first, end);
             this.first_block[axis] = (first / extent) as usize;
             this.blocks[axis] = if end > first { end.div_ceil(extent) as usize - this.first_block[axis] } else { 0 };
         }
         this
+    }
+
+    /// The active elements (sparse branches).
+    #[inline(always)]
+    pub(super) fn active_list(&self) -> Option<&ActiveList> {
+        self.active.list()
+    }
+
+    /// The field's memory (sparse branches).
+    #[inline(always)]
+    pub(super) fn root(&self) -> *mut u8 {
+        self.active.root
     }
 
     /// The axes in the order of memory, those that the root does not name (which have one block) first.
@@ -253,7 +305,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             #[inline(always)]
             |inner| {
                 let (at, len) = (self.start(block, inner), <Self as Space>::RUN);
-                run(Run { at, first: 0, len, block, inner, whole: true, fits, owner: PhantomData });
+                run(Run { at, first: 0, len, block, inner, brick: NOWHERE, root: NOWHERE, whole: true, fits, owner: PhantomData });
             },
         );
     }
@@ -274,14 +326,14 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             if inside && first < end {
                 let (first, len) = (first as usize, (end - first) as usize);
                 let at = self.start(block, inner);
-                run(Run { at, first, len, block, inner, whole: false, fits, owner: PhantomData });
+                run(Run { at, first, len, block, inner, brick: NOWHERE, root: NOWHERE, whole: false, fits, owner: PhantomData });
             }
         }
     }
 
     /// The logical coordinates of a cell of a block.
     #[inline(always)]
-    fn start(&self, block: PerAxis, inner: PerAxis) -> [i64; MAX_AXES] {
+    pub(super) fn start(&self, block: PerAxis, inner: PerAxis) -> [i64; MAX_AXES] {
         let place = Self::place(block, inner);
         per_axis(
             #[inline(always)]
@@ -291,7 +343,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
 
     /// The place of a cell of a block.
     #[inline(always)]
-    fn place(block: PerAxis, inner: PerAxis) -> [i64; MAX_AXES] {
+    pub(super) fn place(block: PerAxis, inner: PerAxis) -> [i64; MAX_AXES] {
         per_axis(
             #[inline(always)]
             |a| if a < X::RANK { (block[a] * const { &<Self as Space>::EXTENT }[a] + inner[a]) as i64 } else { 0 },
@@ -307,12 +359,19 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Space for Cells<R, L, X, P> {
     const RUN: usize = <Self as Chained<X>>::CHAIN.run;
     const EXTENT: PerAxis = <Self as Chained<X>>::CHAIN.extent;
     const DIGITS: &'static [Digit] = <Self as Chained<X>>::CHAIN.digits;
+    const SPARSE: bool = <Self as Chained<X>>::CHAIN.is_sparse();
 
     fn elements(&self) -> usize {
+        if let Some(list) = self.active.list() {
+            return list.work();
+        }
         (0..X::RANK).map(|a| (self.end[a] - self.first[a]) as usize).product()
     }
 
     fn units(&self) -> usize {
+        if let Some(list) = self.active.list() {
+            return list.work();
+        }
         self.blocks[..X::RANK].iter().product()
     }
 
@@ -328,6 +387,10 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Space for Cells<R, L, X, P> {
     #[inline(always)]
     fn visit<const LIGHT: bool>(&self, units: Range<usize>, fits: bool, mut run: impl FnMut(Run<'_, Self>)) {
         if units.is_empty() {
+            return;
+        }
+        if const { Self::SPARSE } {
+            self.visit_active::<LIGHT>(units, fits, &mut run);
             return;
         }
         let (axes, count) = const { Self::ORDER };
@@ -347,7 +410,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Space for Cells<R, L, X, P> {
             );
             if const { <Self as Chained<X>>::CHAIN.is_flat() } {
                 let (at, inner) = (self.start(first, [0; MAX_AXES]), [0; MAX_AXES]);
-                run(Run { at, first: 0, len, block: first, inner, whole: false, fits, owner: PhantomData });
+                run(Run { at, first: 0, len, block: first, inner, brick: NOWHERE, root: NOWHERE, whole: false, fits, owner: PhantomData });
             } else {
                 self.blocks::<LIGHT>(first, len, fits, &mut run);
             }
@@ -404,7 +467,11 @@ pub fn of_branch<R: Record, L: Layout<X>, X: Axes, P: Path<R>, const WRITE: bool
             "a loop over a field whose members stand in several branches names the branch by a member: `for ij in grid.m`"
         )
     }
-    Cells::new(Map::<R, L, X>::geometry(&field.handle.geometry, P::OFFSET), width)
+    let active = match const { Map::<R, L, X>::is_sparse(P::OFFSET) } {
+        true => Active { list: Arc::as_ptr(&field.handle.actives(P::OFFSET)), root: field.handle.root },
+        false => Active { list: core::ptr::null(), root: NOWHERE },
+    };
+    Cells::new(Map::<R, L, X>::geometry(&field.handle.geometry, P::OFFSET), width, active)
 }
 
 /// A box of integers, its last axis fastest.
@@ -584,7 +651,7 @@ impl<T: Integers<X = X>, X: Axes> Space for Ranges<T, X> {
                 at[axis] += place[axis] as i64;
             }
             let (block, inner) = ([0; MAX_AXES], [0; MAX_AXES]);
-            run(Run { at, first: 0, len, block, inner, whole: false, fits, owner: PhantomData });
+            run(Run { at, first: 0, len, block, inner, brick: NOWHERE, root: NOWHERE, whole: false, fits, owner: PhantomData });
             left -= len;
             place[last] = 0;
             for axis in (0..last).rev() {

@@ -55,6 +55,8 @@ impl<A, B> Sealed for Both<A, B> {}
 impl<A: Layout<X>, B: Layout<X>, X: Axes> Layout<X> for Both<A, B> {
     type Inner = A::Inner;
     type Rest = B;
+    type Levels = A::Levels;
+    type Corners = ();
     const BRANCHES: usize = {
         assert!(A::BRANCHES == 1, "branches nest to the right");
         1 + B::BRANCHES

@@ -52,6 +52,7 @@ where
     const ROWS: usize = <Self as Inner<X>>::CELLS / <Self as Inner<X>>::RUN;
     const DIGITS: &'static [Digit] =
         &chain(Digit { order: ORDER, sizes: sizes::<X>(ORDER, [A, B, C, D]), curve: false }, N::DIGITS);
+    const GRAIN: usize = N::GRAIN;
 
     #[inline(always)]
     fn term(axis: usize, c: usize, leaf_bytes: usize, stride: usize) -> usize {

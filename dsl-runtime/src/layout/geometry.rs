@@ -29,7 +29,7 @@ impl Geometry {
             Self::new::<L::Rest, X>(extents)?;
         }
         let (axes, count) = const { order::<X>(L::CHAIN.root) };
-        let block = const { L::CHAIN.extent };
+        let block = const { L::CHAIN.root_extent() };
         let mut this = Self {
             shape: [1; MAX_AXES],
             origin: [0; MAX_AXES],
@@ -59,15 +59,34 @@ impl Geometry {
         Ok(this)
     }
 
+    /// The geometry of a field without bounds: its indices are all from `i32::MIN` to before `i32::MAX`, but those of lists, which
+    /// begin at zero.
+    pub(crate) fn unbounded<L: Layout<X>, X: Axes>() -> Self {
+        let list = L::CHAIN.tree.and_then(|tree| tree.list);
+        let is_list = |axis: usize| list.is_some_and(|list| list.axis == axis);
+        let extent = |axis: usize| match list {
+            Some(list) if list.axis == axis => list.most as u32,
+            _ if axis < X::RANK => u32::MAX,
+            _ => 1,
+        };
+        Self {
+            shape: per_axis(extent),
+            origin: per_axis(|axis| if axis < X::RANK && !is_list(axis) { i32::MIN } else { 0 }),
+            blocks: [1; MAX_AXES],
+            stride: [0; MAX_AXES],
+            cells: 0,
+        }
+    }
+
     /// The geometry of the branches behind the first in a field of this geometry.
     #[inline(always)]
     pub(crate) fn rest<L: Layout<X>, X: Axes>(&self) -> Self {
-        let chain = const { &<L::Rest as Layout<X>>::CHAIN };
+        let extent = const { &<L::Rest as Layout<X>>::CHAIN.root_extent() };
         let (axes, count) = const { order::<X>(<L::Rest as Layout<X>>::CHAIN.root) };
         let (shape, origin) = (self.shape, self.origin);
         let mut this = Self { shape, origin, blocks: [1; MAX_AXES], stride: [0; MAX_AXES], cells: 1 };
         for &axis in axes[..count].iter().rev() {
-            this.blocks[axis] = (self.shape[axis] as usize).div_ceil(chain.extent[axis]);
+            this.blocks[axis] = (self.shape[axis] as usize).div_ceil(extent[axis]);
             this.stride[axis] = this.cells;
             // No overflow: the field was made with such branches.
             this.cells = this.cells.wrapping_mul(this.blocks[axis]);
@@ -90,7 +109,7 @@ impl Geometry {
 
     /// Elements in all.
     pub(crate) fn len(&self) -> usize {
-        self.shape.iter().map(|&n| n as usize).product()
+        self.shape.iter().fold(1, |len: usize, &n| len.saturating_mul(n as usize))
     }
 
     /// The extents along the axes `X`.

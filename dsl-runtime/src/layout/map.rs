@@ -31,14 +31,14 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     const STREAMS: &'static Streams = &Streams::of(L::CHAIN.spec, L::CHAIN.pad, R::Elements::MEMBERS, Names::<R>::ALL);
     const CHAIN: &'static Chain = &L::CHAIN;
     /// What each run of a flat root begins at a multiple of: a cache line, or what the layout asks for.
-    const RUN_LINE: usize = if L::CHAIN.pad > LINE { L::CHAIN.pad } else { LINE };
+    pub(super) const RUN_LINE: usize = if L::CHAIN.pad > LINE { L::CHAIN.pad } else { LINE };
     /// What the field's memory and each branch begin at a multiple of.
     pub(crate) const LINE: usize = Self::line();
     const FLAT: bool = L::CHAIN.is_flat();
     /// Bytes of the innermost node (constant trees).
     const LEAF_BYTES: usize = round_up(Self::STREAMS.bytes(L::CHAIN.leaf, Self::STREAMS.align), Self::STREAMS.align);
     /// Bytes of one of the root's cells (constant trees).
-    const BLOCK_BYTES: usize = if Self::FLAT { 0 } else { L::CHAIN.cells / L::CHAIN.leaf * Self::LEAF_BYTES };
+    pub(super) const BLOCK_BYTES: usize = if Self::FLAT { 0 } else { L::CHAIN.cells / L::CHAIN.leaf * Self::LEAF_BYTES };
     const FACTS: &'static [Facts; MAX_MEMBERS] = &{
         let nowhere = Streams::NOWHERE;
         let mut facts = [Facts { seat: nowhere, start: 0, stride: 0, component: 0, here: false }; MAX_MEMBERS];
@@ -83,7 +83,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
 
     /// Whether a member stands in the first branch.
     #[inline(always)]
-    const fn here(m: usize) -> bool {
+    pub(super) const fn here(m: usize) -> bool {
         L::BRANCHES == 1 || Self::FACTS[m].here
     }
 
@@ -99,7 +99,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     }
 
     /// The number of a member's branch.
-    const fn branch(m: usize) -> usize {
+    pub(crate) const fn branch(m: usize) -> usize {
         if Self::here(m) { 0 } else { 1 + Map::<R, L::Rest, X>::branch(m) }
     }
 
@@ -122,9 +122,9 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     }
 
     /// The root's fastest axis, whose stride is 1 by construction: a constant.
-    const FASTEST: usize = {
+    pub(super) const FASTEST: usize = {
         let (axes, count) = order::<X>(L::CHAIN.root);
-        axes[count - 1]
+        if count == 0 { 0 } else { axes[count - 1] }
     };
 
     /// The root's cells between neighbours along an axis, in a member's branch.
@@ -160,7 +160,10 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// Bytes of the first branch; `None` where they overflow.
     fn branch_bytes(geometry: &Geometry) -> Option<usize> {
         let cells = geometry.cells as u128;
-        let bytes = if Self::FLAT {
+        let bytes = if L::CHAIN.is_sparse() {
+            // The address of what holds the blocks.
+            Self::LINE as u128
+        } else if Self::FLAT {
             let streams = Self::STREAMS;
             let run = |item: usize| (cells * item as u128).next_multiple_of(Self::RUN_LINE as u128);
             streams.streams[..streams.count].iter().map(|s| s.repeats as u128 * run(s.item)).sum()
@@ -172,8 +175,10 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
 
     /// Where the branches behind the first begin.
     #[inline(always)]
-    fn rest_start(geometry: &Geometry) -> usize {
-        let bytes = if Self::FLAT {
+    pub(super) fn rest_start(geometry: &Geometry) -> usize {
+        let bytes = if L::CHAIN.is_sparse() {
+            Self::LINE
+        } else if Self::FLAT {
             Self::flat_start(geometry.cells, Self::STREAMS.count)
         } else {
             geometry.cells.wrapping_mul(Self::BLOCK_BYTES)
@@ -199,7 +204,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
 
     /// Whether all of a field is one run of records without anything between them.
     pub(crate) const fn is_one_run() -> bool {
-        L::BRANCHES == 1 && Self::FLAT && Self::STREAMS.count == 1
+        L::BRANCHES == 1 && !L::CHAIN.is_sparse() && Self::FLAT && Self::STREAMS.count == 1
     }
 
     /// Bytes of one record of such a field, and how many times the run is repeated.
@@ -213,12 +218,13 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         Self::facts(m).stride
     }
 
-    /// Where member `m` of a flat root, or of each innermost node, begins.
+    /// Where member `m` of a flat root, or of each innermost node, begins: in a sparse branch, within its block.
     #[inline(always)]
     pub(crate) fn start(geometry: &Geometry, m: usize) -> usize {
         if !Self::here(m) {
             let rest = Map::<R, L::Rest, X>::start(&geometry.rest::<L, X>(), m);
-            return Self::rest_start(geometry).wrapping_add(rest);
+            let before = if Self::chain(m).is_sparse() { 0 } else { Self::rest_start(geometry) };
+            return before.wrapping_add(rest);
         }
         if Self::FLAT {
             let seat = Self::FACTS[m].seat;

@@ -1,25 +1,39 @@
 //! Layouts: how a space of records lies in memory. Index to address, and the order of memory.
 
+mod bitmasked;
 mod branches;
 pub(crate) mod dense;
+pub(crate) mod dynamic;
 pub(crate) mod geometry;
+mod grown;
+pub(crate) mod levels;
 pub(crate) mod map;
 pub(crate) mod morton;
 pub(crate) mod node;
 pub(crate) mod place;
+mod pointer;
+mod sparse;
 
+pub use bitmasked::Masked;
 pub use branches::Both;
 pub use dense::Dense;
+pub use dynamic::List;
 pub(crate) use geometry::Geometry;
+pub use grown::{Grid, Grown, Hash, ListLayout, Listed, Sparse, SparseHash};
+#[doc(hidden)]
+pub use grown::SparseRoot;
+pub use levels::Leaf;
+pub(crate) use levels::{Block, Brick, Levels};
 pub(crate) use map::Map;
 pub use morton::Curve;
+pub use pointer::Table;
 pub(crate) use node::order;
 pub use node::{ALL, LAST};
 #[doc(hidden)]
 pub use node::{Chain, Digit, Inner};
 #[doc(hidden)]
-pub use place::{Entry, Named, Place, Spec, Taken};
-pub use place::{Padded, PlaceAos, PlaceGroups, PlaceSoa, PlaceSome, PlaceSplit};
+pub use place::{GroupEntry, Named, Place, Spec, Taken};
+pub use place::{Entry, Padded, PlaceAos, PlaceGroups, PlaceSoa, PlaceSome, PlaceSplit};
 
 use crate::axes::Axes;
 use crate::element::Sealed;
@@ -49,6 +63,12 @@ pub trait Layout<X: Axes>: Copy + Send + Sync + Sealed + 'static {
     /// The other branches; the layout itself, where it has one branch alone.
     #[doc(hidden)]
     type Rest: Layout<X>;
+    /// The nodes of the first branch that point to blocks.
+    #[doc(hidden)]
+    type Levels: Levels<X>;
+    /// What is remembered of the blocks around a base.
+    #[doc(hidden)]
+    type Corners: crate::view::Corners;
     /// How many branches it has.
     #[doc(hidden)]
     const BRANCHES: usize;
@@ -64,6 +84,8 @@ impl<const ORDER: u32, N> Sealed for Tree<ORDER, N> {}
 impl<const ORDER: u32, N: Inner<X>, X: Axes> Layout<X> for Tree<ORDER, N> {
     type Inner = N;
     type Rest = Self;
+    type Levels = Leaf;
+    type Corners = ();
     const BRANCHES: usize = 1;
     const CHAIN: Chain = Chain::of::<N, X>(ORDER);
 }
@@ -80,3 +102,44 @@ pub type AoSoA<const N: usize> = Tree<ALL, Dense<LAST, N, N, N, N, PlaceSoa>>;
 pub type Blocked<const N: usize> = Tree<ALL, Dense<ALL, N, N, N, N, PlaceAos>>;
 /// Blocks of `N` cells along every axis in Z-order, record after record: `dense(ij).morton(ij, N).aos`. `N` is a power of two.
 pub type Morton<const N: usize> = Tree<ALL, Curve<ALL, N, N, N, N, PlaceAos>>;
+
+/// A layout in which a field is made from extents along the axes `G`. `K` tells the two kinds of layouts apart and is always inferred.
+#[diagnostic::on_unimplemented(
+    message = "no field in the layout `{Self}` is made from extents along `{G}`",
+    label = "not a layout for so many extents",
+    note = "a layout serves the axes that it names: `dense(ij)` takes two extents; where it has a `dynamic` node, that axis is left out"
+)]
+pub trait Opens<G: Axes, K>: Layout<Self::X> {
+    /// The axes of the field.
+    type X: Axes;
+    #[doc(hidden)]
+    fn extents(given: crate::axes::PerAxis) -> Result<crate::axes::PerAxis, crate::field::ShapeError>;
+}
+
+/// Marks layouts whose fields have as many axes as extents.
+#[derive(Clone, Copy, Debug)]
+pub struct AllAxes;
+/// Marks layouts whose fields have an axis more, which the entries of lists are counted along.
+#[derive(Clone, Copy, Debug)]
+pub struct ListAxis;
+
+impl<L: Layout<X>, X: Axes> Opens<X, AllAxes> for L {
+    type X = X;
+    fn extents(given: crate::axes::PerAxis) -> Result<crate::axes::PerAxis, crate::field::ShapeError> {
+        match L::CHAIN.tree.and_then(|tree| tree.list) {
+            Some(list) => Err(crate::field::ShapeError::ListExtent { axis: crate::axes::AXIS_NAMES[list.axis] }),
+            None => Ok(given),
+        }
+    }
+}
+impl<T: SparseRoot, V: Levels<X>, N: Inner<X>, X: Axes<Outer = G>, G: Axes> Opens<G, ListAxis> for Listed<X, T, V, N> {
+    type X = X;
+    fn extents(given: crate::axes::PerAxis) -> Result<crate::axes::PerAxis, crate::field::ShapeError> {
+        let list = V::LIST.expect("such a layout has lists");
+        Ok(core::array::from_fn(|a| match a {
+            _ if a == list.axis => list.most,
+            _ if a < list.axis => given[a],
+            _ => given[a - 1],
+        }))
+    }
+}

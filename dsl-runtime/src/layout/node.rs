@@ -2,6 +2,7 @@
 
 use crate::axes::{Axes, MAX_AXES, PerAxis};
 use crate::element::Sealed;
+use crate::layout::levels::ListSpec;
 use crate::layout::{Place, Spec};
 
 /// One level of one axis: how many cells, and how far apart they are in the node's order.
@@ -69,6 +70,8 @@ pub trait Inner<X: Axes>: Copy + Send + Sync + Sealed + 'static {
     const ROWS: usize;
     /// The nodes as data, outermost first: equal lists mean equal arrangements.
     const DIGITS: &'static [Digit];
+    /// Cells that share one activity bit; 0 where cells have none.
+    const GRAIN: usize;
     /// Bytes that coordinate `c` along `axis` adds to a cell's address: addresses are sums of one term an axis.
     fn term(axis: usize, c: usize, leaf_bytes: usize, stride: usize) -> usize;
 }
@@ -92,6 +95,34 @@ pub struct Chain {
     pub(crate) spec: Spec,
     /// The bytes that cells or runs begin at a multiple of.
     pub(crate) pad: usize,
+    /// What stands above the nodes of a sparse layout; nothing where all are there from the start.
+    pub(crate) tree: Option<Tree>,
+}
+
+/// What stands above the blocks of a sparse layout, as data. A block is the nodes of constant size.
+#[derive(Clone, Copy, Debug)]
+#[doc(hidden)]
+pub struct Tree {
+    /// How the root finds its cells.
+    pub(crate) root: Root,
+    /// Blocks that a cell of the root spans along each axis.
+    pub(crate) span: PerAxis,
+    /// Bytes of what a cell of the root is; 0 where it is a block.
+    pub(crate) node: usize,
+    /// The lists that the blocks hold the entries of, if they do.
+    pub(crate) list: Option<ListSpec>,
+    /// Cells that share one activity bit; 0 where a block is active as a whole.
+    pub(crate) grain: usize,
+}
+
+/// How a root finds its cells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[doc(hidden)]
+pub enum Root {
+    /// They lie in a grid.
+    Grid,
+    /// By hashing.
+    Hash,
 }
 
 impl Chain {
@@ -109,6 +140,34 @@ impl Chain {
             digits: N::DIGITS,
             spec: <N::Place as Place>::SPEC,
             pad: <N::Place as Place>::PAD,
+            tree: None,
+        }
+    }
+
+    /// Whether blocks are made when they are needed, or have activity bits.
+    #[inline(always)]
+    pub(crate) const fn is_sparse(&self) -> bool {
+        self.tree.is_some()
+    }
+
+    /// The elements that a cell of the root spans along each axis.
+    pub(crate) const fn root_extent(&self) -> PerAxis {
+        let mut extent = self.extent;
+        if let Some(tree) = &self.tree {
+            let mut axis = 0;
+            while axis < MAX_AXES {
+                extent[axis] *= tree.span[axis];
+                axis += 1;
+            }
+        }
+        extent
+    }
+
+    /// Activity bits of a block.
+    pub(crate) const fn bits(&self) -> usize {
+        match &self.tree {
+            Some(tree) if tree.grain > 0 => self.cells / tree.grain,
+            _ => 0,
         }
     }
 
@@ -122,11 +181,17 @@ impl Chain {
 /// Where run `r` of a block begins, in memory order.
 #[inline(always)]
 pub(crate) const fn nth_row<X: Axes>(chain: &Chain, r: usize) -> PerAxis {
+    nth_cell::<X>(chain.digits, chain.extent, chain.cells, r * chain.run)
+}
+
+/// Where cell `n` of a block lies, in memory order: of the nodes' cells, all in all, which extend so far.
+#[inline(always)]
+pub(crate) const fn nth_cell<X: Axes>(digits: &[Digit], extent: PerAxis, cells: usize, n: usize) -> PerAxis {
     let mut at = [0; MAX_AXES];
-    let (mut rest, mut unit, mut cells) = (r * chain.run, chain.extent, chain.cells);
+    let (mut rest, mut unit, mut cells) = (n, extent, cells);
     let mut level = 0;
-    while level < chain.digits.len() && chain.digits[level].order != 0 {
-        let digit = chain.digits[level];
+    while level < digits.len() && digits[level].order != 0 {
+        let digit = digits[level];
         let (axes, count) = order::<X>(digit.order);
         let mut n = 0;
         if digit.curve {

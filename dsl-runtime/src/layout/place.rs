@@ -16,15 +16,15 @@ pub enum Spec {
     /// For each scalar component, all its values.
     Split,
     /// Groups of members, each interleaved, one group after another.
-    Groups(&'static [&'static [Entry]]),
+    Groups(&'static [&'static [GroupEntry]]),
     /// The same of some members: the others stand in other branches.
-    Some(&'static [&'static [Entry]]),
+    Some(&'static [&'static [GroupEntry]]),
 }
 
 /// A member in a group of `.place(..)`.
 #[derive(Clone, Copy, Debug)]
 #[doc(hidden)]
-pub struct Entry {
+pub struct GroupEntry {
     /// Its name's bytes, big-endian, zero-padded on the right.
     pub name: (u128, u128),
     /// Whether its components stand apart: `split(c)`.
@@ -55,6 +55,14 @@ places! {
     PlaceAos Spec::Aos, "`.aos`: record after record, components in declared order, rounded up to the widest scalar.";
     PlaceSoa Spec::Soa, "`.soa`: for each member, all its values.";
     PlaceSplit Spec::Split, "`.split`: for each scalar component of each member, all its values.";
+}
+
+/// Stands for a record where the cells of a node are pointers or lists.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry;
+impl Sealed for Entry {}
+impl Place for Entry {
+    const SPEC: Spec = Spec::Aos;
 }
 
 /// `.pad(64)`: each cell of interleaved records, or each run of what stands apart, begins at a multiple of so many bytes.
@@ -125,34 +133,34 @@ pub struct Taken<const HIGH: u128, const LOW: u128>;
 #[doc(hidden)]
 pub trait Name: Copy + 'static {
     /// The name and whether it is split.
-    const ENTRY: Entry;
+    const ENTRY: GroupEntry;
 }
 impl<const HIGH: u128, const LOW: u128> Name for Named<HIGH, LOW> {
-    const ENTRY: Entry = Entry { name: (HIGH, LOW), split: false };
+    const ENTRY: GroupEntry = GroupEntry { name: (HIGH, LOW), split: false };
 }
 impl<const HIGH: u128, const LOW: u128> Name for Taken<HIGH, LOW> {
-    const ENTRY: Entry = Entry { name: (HIGH, LOW), split: true };
+    const ENTRY: GroupEntry = GroupEntry { name: (HIGH, LOW), split: true };
 }
 
 /// A group: a tuple of names.
 #[doc(hidden)]
 pub trait Group: Copy + 'static {
     /// Its names.
-    const ENTRIES: &'static [Entry];
+    const ENTRIES: &'static [GroupEntry];
 }
 /// All groups: a tuple of groups.
 #[doc(hidden)]
 pub trait Groups: Copy + 'static {
     /// The groups.
-    const GROUPS: &'static [&'static [Entry]];
+    const GROUPS: &'static [&'static [GroupEntry]];
 }
 macro_rules! groups {
     ($($($name:ident)+;)*) => {$(
         impl<$($name: Name),+> Group for ($($name,)+) {
-            const ENTRIES: &'static [Entry] = &[$($name::ENTRY),+];
+            const ENTRIES: &'static [GroupEntry] = &[$($name::ENTRY),+];
         }
         impl<$($name: Group),+> Groups for ($($name,)+) {
-            const GROUPS: &'static [&'static [Entry]] = &[$($name::ENTRIES),+];
+            const GROUPS: &'static [&'static [GroupEntry]] = &[$($name::ENTRIES),+];
         }
     )*};
 }
@@ -172,6 +180,7 @@ impl<P: Place, X: Axes> Inner<X> for P {
     const RUN_AXIS: usize = 0;
     const ROWS: usize = 1;
     const DIGITS: &'static [Digit] = &[];
+    const GRAIN: usize = 0;
     #[inline(always)]
     fn term(_: usize, _: usize, _: usize, _: usize) -> usize {
         0

@@ -1,7 +1,7 @@
 //! `Private`: every job but the first accumulates into a copy of its own; the copies are combined in the order of jobs.
 
 use super::{Roots, Scattered};
-use crate::field::memory::Memory;
+use crate::field::Storage;
 use crate::launch::run_jobs;
 
 /// Runs blocks in `jobs` jobs of neighbouring blocks each, then combines. Which blocks a job has, and the order of
@@ -14,7 +14,7 @@ pub(super) fn execute(
     block: &(dyn Fn(usize, &[*mut u8]) + Sync),
 ) {
     // Copies of a launch that panics are dropped with it: they hold half of a sum.
-    let copies: Vec<Vec<Memory>> = targets.iter().map(|t| (1..jobs).map(|_| t.borrow_copy()).collect()).collect();
+    let copies: Vec<Vec<Storage>> = targets.iter().map(|t| (1..jobs).map(|_| t.borrow_copy()).collect()).collect();
     let roots: Vec<Roots> = (0..jobs)
         .map(|job| match job {
             0 => Roots::fields(targets),
@@ -33,7 +33,8 @@ pub(super) fn execute(
                 unsafe { target.combine(copy, part) };
             }
         });
-        for copy in copies {
+        for mut copy in copies {
+            target.combine_blocks(&mut copy, threads);
             target.give_back(copy);
         }
     }

@@ -1,13 +1,16 @@
 //! A field that a loop accumulates into, without its types.
 
+use core::sync::atomic::Ordering;
 use std::sync::PoisonError;
 
 use super::combine::{Line, Op, combine_line, set_line};
 use crate::axes::Axes;
 use crate::field::Handle;
-use crate::field::memory::Memory;
+use crate::field::Storage;
+use crate::launch::run_jobs;
 use crate::layout::{Layout, Map};
 use crate::record::{ElementList, Record};
+use crate::store::Store;
 use crate::view::View;
 
 /// A field that a loop accumulates into.
@@ -22,16 +25,18 @@ pub trait Scattered: Sync {
     /// Whether every accumulated component lies at a multiple of its size.
     fn aligned(&self) -> bool;
     /// A copy full of the operators' identities.
-    fn borrow_copy(&self) -> Memory;
+    fn borrow_copy(&self) -> Storage;
     /// Takes a copy back that is full of identities again.
-    fn give_back(&self, copy: Memory);
+    fn give_back(&self, copy: Storage);
     /// Into how many parts the field is cut for combination.
     fn parts(&self) -> usize;
     /// Combines one part of a copy into the field and fills that part with identities.
     ///
     /// # Safety
     /// The caller has that part of the field and of the copy to itself.
-    unsafe fn combine(&self, copy: &Memory, part: usize);
+    unsafe fn combine(&self, copy: &Storage, part: usize);
+    /// Combines the blocks of a copy's sparse branches into the field, and takes them out of the copy.
+    fn combine_blocks(&self, copy: &mut Storage, threads: usize);
 }
 
 /// A field, and the members that a loop accumulates into with their operators.
@@ -56,6 +61,8 @@ impl<'a, R: Record, L: Layout<X>, X: Axes> View<'a, R, L, X, true> {
 
 /// Cells of a part.
 const PART: usize = 1 << 13;
+/// Blocks of a sparse branch that a job combines.
+const BLOCKS: usize = 16;
 
 impl<R: Record, L: Layout<X>, X: Axes> Target<'_, '_, R, L, X> {
     /// Leaves of a member's branch, its innermost nodes or the whole flat root, and the cells of each.
@@ -69,6 +76,9 @@ impl<R: Record, L: Layout<X>, X: Axes> Target<'_, '_, R, L, X> {
 
     /// Into how many parts a member's branch is cut.
     fn parts_of(&self, member: usize) -> usize {
+        if Map::<R, L, X>::is_sparse(member) {
+            return 0;
+        }
         let (leaves, cells) = self.leaves(member);
         let flat = Map::<R, L, X>::chain(member).is_flat();
         if flat { cells.div_ceil(PART) } else { leaves.div_ceil((PART / cells).max(1)) }
@@ -78,7 +88,8 @@ impl<R: Record, L: Layout<X>, X: Axes> Target<'_, '_, R, L, X> {
     fn uniform(&self) -> Option<(crate::element::Kind, Op, usize)> {
         let all = R::Elements::MEMBERS;
         let (first, op) = (all[0], self.members.first()?.1);
-        let same = self.members.len() == all.len()
+        let same = const { !Map::<R, L, X>::any_sparse() }
+            && self.members.len() == all.len()
             && all.iter().all(|m| m.kind == first.kind)
             && self.members.iter().all(|&(_, other)| other == op);
         same.then_some((first.kind, op, first.scalar))
@@ -91,6 +102,43 @@ impl<R: Record, L: Layout<X>, X: Axes> Target<'_, '_, R, L, X> {
             self.handle.geometry.cells * repeats * (item / scalar)
         } else {
             self.bytes() / scalar
+        }
+    }
+
+    /// The lines of cells that make up a block of the sparse branch that a member stands in.
+    fn block_lines(&self, branch_of: usize, mut line: impl FnMut(Line)) {
+        let branch = Map::<R, L, X>::branch(branch_of);
+        for &(m, op) in self.members.iter().filter(|&&(m, _)| Map::<R, L, X>::branch(m) == branch) {
+            let (chain, member) = (Map::<R, L, X>::chain(m), R::Elements::MEMBERS[m]);
+            let (start, step) = (Map::<R, L, X>::start(&self.handle.geometry, m), Map::<R, L, X>::stride(m));
+            let component = Map::<R, L, X>::component(&self.handle.geometry, m);
+            for leaf in 0..chain.cells / chain.leaf {
+                for c in 0..member.components {
+                    let offset = leaf * Map::<R, L, X>::leaf_bytes(m) + start + c * component;
+                    line(Line { kind: member.kind, op, offset, step, count: chain.leaf });
+                }
+            }
+        }
+    }
+
+    /// The first accumulated member of each sparse branch.
+    fn sparse_branches(&self) -> impl Iterator<Item = usize> + '_ {
+        let first = |n: usize| {
+            let m = self.members[n].0;
+            let same = |&(other, _): &(usize, Op)| Map::<R, L, X>::branch(other) == Map::<R, L, X>::branch(m);
+            (Map::<R, L, X>::is_sparse(m) && !self.members[..n].iter().any(same)).then_some(m)
+        };
+        (0..self.members.len()).filter_map(first)
+    }
+
+    /// Fills the background of a copy's blocks with identities, or with zeros.
+    fn set_background(&self, copy: &mut Storage, identity: bool) {
+        for m in self.sparse_branches() {
+            let store = copy.store_mut(Map::<R, L, X>::sparse_branch(m));
+            store.set_background(|brick| {
+                // SAFETY: lines lie within a block, which the background is; the copy is ours alone.
+                self.block_lines(m, |line| unsafe { set_line(brick, line, identity) });
+            });
         }
     }
 
@@ -134,10 +182,15 @@ impl<R: Record, L: Layout<X>, X: Axes> Scattered for Target<'_, '_, R, L, X> {
     }
 
     fn bytes(&self) -> usize {
-        Map::<R, L, X>::bytes(&self.handle.geometry).expect("the field has been allocated")
+        let stores: usize = self.sparse_branches().map(|m| self.handle.store(m).bytes()).sum();
+        Map::<R, L, X>::bytes(&self.handle.geometry).expect("the field has been allocated") + stores
     }
 
     fn cells(&self) -> usize {
+        if const { Map::<R, L, X>::any_sparse() } {
+            // About as many as were active last.
+            return self.sparse_branches().map(|m| self.handle.actives(m).work()).max().unwrap_or(self.handle.geometry.len());
+        }
         self.handle.geometry.len()
     }
 
@@ -145,9 +198,10 @@ impl<R: Record, L: Layout<X>, X: Axes> Scattered for Target<'_, '_, R, L, X> {
         self.members.iter().all(|&(m, _)| Map::<R, L, X>::aligned(m))
     }
 
-    fn borrow_copy(&self) -> Memory {
+    fn borrow_copy(&self) -> Storage {
         let spare = self.handle.spare.and_then(|spare| spare.lock().unwrap_or_else(PoisonError::into_inner).pop());
-        let copy = spare.unwrap_or_else(|| Memory::zeroed_or_abort(self.bytes(), Map::<R, L, X>::LINE));
+        let mut copy = spare.unwrap_or_else(|| Storage::new_or_abort::<R, L, X>(&self.handle.geometry));
+        self.set_background(&mut copy, true);
         if self.members.iter().any(|&(_, op)| !op.identity_is_zero()) {
             for part in 0..self.parts() {
                 // SAFETY: lines lie within the field's bytes, which the copy has too, and the copy is ours alone.
@@ -157,7 +211,8 @@ impl<R: Record, L: Layout<X>, X: Axes> Scattered for Target<'_, '_, R, L, X> {
         copy
     }
 
-    fn give_back(&self, copy: Memory) {
+    fn give_back(&self, mut copy: Storage) {
+        self.set_background(&mut copy, false);
         if self.members.iter().any(|&(_, op)| !op.identity_is_zero()) {
             for part in 0..self.parts() {
                 // SAFETY: as in `borrow_copy`.
@@ -176,10 +231,40 @@ impl<R: Record, L: Layout<X>, X: Axes> Scattered for Target<'_, '_, R, L, X> {
         self.members.iter().map(|&(m, _)| self.parts_of(m)).max().unwrap_or(0)
     }
 
-    unsafe fn combine(&self, copy: &Memory, part: usize) {
+    unsafe fn combine(&self, copy: &Storage, part: usize) {
         self.lines(part, |line| {
             // SAFETY: lines lie within the field's bytes, which the copy has too; the caller has this part of both.
             unsafe { combine_line(self.handle.root, copy.start(), line) };
         });
+    }
+
+    fn combine_blocks(&self, copy: &mut Storage, threads: usize) {
+        let from = self.handle.at(copy.start());
+        for m in self.sparse_branches() {
+            let list = from.actives(m);
+            let parts = list.bricks.len().div_ceil(BLOCKS);
+            run_jobs(threads, parts, &|part| {
+                for n in part * BLOCKS..list.bricks.len().min((part + 1) * BLOCKS) {
+                    let brick = &list.bricks[n];
+                    let to = Map::<R, L, X>::find(&self.handle.geometry, self.handle.store(m), m, &brick.block);
+                    let to = if to.is_null() { self.handle.without_paths().grow(m, &brick.block) } else { to };
+                    let mut new = 0;
+                    for (word, &bits) in list.bits(n).iter().enumerate() {
+                        let (field, _) = Store::bit_of(to, Map::<R, L, X>::bits_at(m), word * 64);
+                        new |= bits & !field.fetch_or(bits, Ordering::Relaxed);
+                    }
+                    if new != 0 {
+                        self.handle.store(m).mark();
+                    }
+                    self.block_lines(m, |line| {
+                        // SAFETY: lines lie within a block, of the field and of the copy; no job accumulates any more, and each
+                        // block is taken by one job.
+                        unsafe { combine_line(to, brick.start, line) };
+                    });
+                }
+            });
+        }
+        copy.settle();
+        Map::<R, L, X>::clear(&self.handle.geometry, &mut copy.stores_mut());
     }
 }

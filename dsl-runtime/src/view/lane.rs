@@ -2,11 +2,11 @@
 
 use core::marker::PhantomData;
 
-use super::Site;
+use super::{Based, Site};
 use crate::axes::{Axes, MAX_AXES, sum};
 use crate::field::Handle;
 use crate::index::IntoIndex;
-use crate::layout::{Geometry, Layout, Map};
+use crate::layout::{Block, Geometry, Layout, Map};
 use crate::record::{Path, Record};
 
 /// Where the values of a path lie, by index.
@@ -15,8 +15,38 @@ pub(super) struct Lane<'a, R, L, X, P> {
     site: &'static Site,
     /// The member's first component at the field's first element.
     start: *mut u8,
+    /// What stands where there is no block (sparse branches).
+    background: *mut u8,
     component: usize,
     path: PhantomData<P>,
+}
+
+/// Where an element of a field stands: by its place alone, or beside a base whose blocks are known.
+pub(super) trait Spot<L: Layout<X>, X: Axes>: Copy {
+    /// Its place.
+    fn place(&self) -> [u32; MAX_AXES];
+    /// Its block, where it is known; else null.
+    fn block(&self, root: *mut u8, block: &Block) -> *mut u8;
+}
+impl<L: Layout<X>, X: Axes> Spot<L, X> for [u32; MAX_AXES] {
+    #[inline(always)]
+    fn place(&self) -> [u32; MAX_AXES] {
+        *self
+    }
+    #[inline(always)]
+    fn block(&self, _: *mut u8, _: &Block) -> *mut u8 {
+        core::ptr::null_mut()
+    }
+}
+impl<L: Layout<X>, X: Axes> Spot<L, X> for ([u32; MAX_AXES], &Based<L, X>) {
+    #[inline(always)]
+    fn place(&self) -> [u32; MAX_AXES] {
+        self.0
+    }
+    #[inline(always)]
+    fn block(&self, root: *mut u8, block: &Block) -> *mut u8 {
+        self.1.corner(root, block)
+    }
 }
 
 impl<R, L, X, P> Clone for Lane<'_, R, L, X, P> {
@@ -33,10 +63,11 @@ impl<R, L, X, P> core::fmt::Debug for Lane<'_, R, L, X, P> {
     }
 }
 
-// SAFETY: as for `Handle`: an address, whose use is justified by the view that holds it.
-unsafe impl<R, L, X, P> Send for Lane<'_, R, L, X, P> {}
+// SAFETY: as for `Handle`: an address, whose use is justified by the view that holds it. A job's memory of blocks stays with the job: in a
+// sparse field `L::Corners` stands for it, which is not `Send`.
+unsafe impl<R, L: Layout<X>, X: Axes, P> Send for Lane<'_, R, L, X, P> where L::Corners: Send {}
 // SAFETY: as above.
-unsafe impl<R, L, X, P> Sync for Lane<'_, R, L, X, P> {}
+unsafe impl<R, L: Layout<X>, X: Axes, P> Sync for Lane<'_, R, L, X, P> where L::Corners: Sync {}
 
 impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
     const MEMBER: usize = match P::MEMBER {
@@ -48,10 +79,14 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
     #[inline(always)]
     pub(super) fn new(handle: Handle<'a, R, L, X>, site: &'static Site) -> Self {
         let geometry = &handle.geometry;
-        let start = handle.root.wrapping_add(Map::<R, L, X>::start(geometry, Self::MEMBER));
+        let (start, background) = if const { Map::<R, L, X>::is_sparse(Self::MEMBER) } {
+            (core::ptr::null_mut(), handle.store(Self::MEMBER).background)
+        } else {
+            (handle.root.wrapping_add(Map::<R, L, X>::start(geometry, Self::MEMBER)), core::ptr::null_mut())
+        };
         let component =
             if Self::COMPONENT == 0 { Map::<R, L, X>::component(geometry, Self::MEMBER) } else { Self::COMPONENT };
-        Self { handle, site, start, component, path: PhantomData }
+        Self { handle, site, start, background, component, path: PhantomData }
     }
 
     #[inline(always)]
@@ -101,9 +136,43 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
         crate::index::within::<X>(index.coordinates(), &self.handle.geometry)
     }
 
-    /// The first component of the path's member, and the distance of its components.
+    /// The block of a spot in a sparse field, and its place in there; where there is no block, the background's.
     #[inline(always)]
-    pub(super) fn address(&self, at: [u32; MAX_AXES]) -> (*mut u8, usize) {
+    fn block(&self, spot: impl Spot<L, X>) -> (*mut u8, Block, [u32; MAX_AXES]) {
+        let (block, inner) = Handle::<R, L, X>::split(Self::MEMBER, spot.place());
+        let known = spot.block(self.handle.root, &block);
+        let start = if known.is_null() { self.handle.brick(Self::MEMBER, &block) } else { known };
+        (start, block, inner)
+    }
+
+    /// The first component of the path's member, and the distance of its components: to be read.
+    #[inline(always)]
+    pub(super) fn address(&self, spot: impl Spot<L, X>) -> (*mut u8, usize) {
+        if const { Map::<R, L, X>::is_sparse(Self::MEMBER) } {
+            let (start, _, inner) = self.block(spot);
+            return self.handle.component_in(Self::MEMBER, start, &inner);
+        }
+        self.address_in_memory(spot.place())
+    }
+
+    /// The same to be written: the element becomes active.
+    #[inline(always)]
+    pub(super) fn address_mut(&self, spot: impl Spot<L, X>) -> (*mut u8, usize) {
+        if const { Map::<R, L, X>::is_sparse(Self::MEMBER) } {
+            let (mut start, block, inner) = self.block(spot);
+            if core::ptr::eq(start, self.background) {
+                // Perhaps another of the job's views has made it meanwhile.
+                start = self.handle.touch(Self::MEMBER, &block, &inner);
+            } else {
+                self.handle.activate_in(Self::MEMBER, start, &block, &inner);
+            }
+            return self.handle.component_in(Self::MEMBER, start, &inner);
+        }
+        self.address_in_memory(spot.place())
+    }
+
+    #[inline(always)]
+    fn address_in_memory(&self, at: [u32; MAX_AXES]) -> (*mut u8, usize) {
         let offset = sum::<X>(
             #[inline(always)]
             |a| Map::<R, L, X>::term(&self.handle.geometry, Self::MEMBER, a, at[a]),
@@ -117,12 +186,12 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
     /// # Safety
     /// The element lies within the shape, and nobody writes the path there meanwhile.
     #[inline(always)]
-    pub(super) unsafe fn read(&self, at: [u32; MAX_AXES]) -> P::Value {
+    pub(super) unsafe fn read(&self, spot: impl Spot<L, X>) -> P::Value {
         if P::MEMBER.is_none() {
             // SAFETY: as the caller promises.
-            return unsafe { self.handle.read::<P>(at) };
+            return unsafe { self.handle.read::<P>(spot.place()) };
         }
-        let address = self.address(at);
+        let address = self.address(spot);
         // SAFETY: the components of an element within the shape lie in the field's memory.
         unsafe {
             P::gather(

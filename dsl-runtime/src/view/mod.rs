@@ -9,12 +9,13 @@ mod read;
 mod readable;
 mod row;
 mod together;
+mod topology;
 
 use core::fmt;
 
 pub use accumulate::Accumulate;
 pub use accumulate::negative;
-pub use base::Based;
+pub use base::{Based, Corners, EightCorners};
 pub use beside::Beside;
 pub(crate) use free::Places;
 pub use free::{Boxed, Free, Linear, Var};
@@ -31,6 +32,7 @@ use crate::field::{Handle, Source, SourceMut, Spans};
 use crate::launch::{Border, Run, Space, Task, TwoColours};
 use crate::layout::{Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record};
+use crate::store::paths::Paths;
 
 /// What a panic in a kernel names.
 #[doc(hidden)]
@@ -122,6 +124,27 @@ pub fn exclusive<'a, S: SourceMut + ?Sized>(
 pub fn assert_packed<T: Packed>() {}
 
 impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, WRITE> {
+    /// A job's memory of the field's blocks.
+    #[inline(always)]
+    pub fn paths(&self) -> Paths {
+        self.handle.paths()
+    }
+
+    /// The same view for one job, with its memory of the field's blocks.
+    ///
+    /// The memory is read and written by views that are neither `Send` nor `Sync`, all made from this one.
+    #[inline(always)]
+    pub fn of_job<'b>(self, paths: &'b Paths) -> View<'b, R, L, X, WRITE>
+    where
+        'a: 'b,
+    {
+        if const { Map::<R, L, X>::any_sparse() } {
+            // SAFETY: views made from this one live no longer than the memory, and those that use it stay on this thread.
+            return View { handle: unsafe { self.handle.with_paths(paths) }, site: self.site };
+        }
+        self
+    }
+
     /// The names of its members.
     #[inline(always)]
     pub fn tags(&self) -> R::Tags {
@@ -179,8 +202,9 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
 
     /// As [`based`](Self::based), with the same offsets along all axes.
     #[inline(always)]
-    pub fn based_all(self, base: impl crate::index::IntoIndex<X>, low: i64, high: i64) -> Option<Based<X>> {
+    pub fn based_all(self, base: impl crate::index::IntoIndex<X>, low: i64, high: i64) -> Option<Based<L, X>> {
         Based::around(&self.handle.geometry, base.coordinates(), [low; MAX_AXES], [high; MAX_AXES])
+            .map(#[inline(always)] |based: Based<L, X>| based.cornered(&self.handle))
     }
 
     /// Reads a path at an index, whatever else the loop does there.
@@ -190,8 +214,8 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
     #[inline(always)]
     pub unsafe fn get_unchecked<P: Path<R>>(self, _: P, index: impl crate::index::IntoIndex<X>) -> P::Value {
         let at = self.promised(index);
-        // SAFETY: as the caller promises.
-        unsafe { self.handle.read::<P>(at) }
+        // SAFETY: as the caller promises. The block is looked up anew, since the caller may be on any thread.
+        unsafe { self.handle.without_paths().read::<P>(at) }
     }
 
     /// The place of an index that a caller has promised to lie within the shape; checked with debug assertions.
@@ -211,8 +235,9 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
         base: impl crate::index::IntoIndex<X>,
         low: [i64; N],
         high: [i64; N],
-    ) -> Option<Based<X>> {
+    ) -> Option<Based<L, X>> {
         Based::new(&self.handle.geometry, base.coordinates(), low, high)
+            .map(#[inline(always)] |based: Based<L, X>| based.cornered(&self.handle))
     }
 }
 
@@ -241,8 +266,8 @@ impl<'a, R: Record, L: Layout<X>, X: Axes> View<'a, R, L, X, true> {
     #[inline(always)]
     pub unsafe fn set_unchecked<P: Path<R>>(self, _: P, index: impl crate::index::IntoIndex<X>, value: P::Value) {
         let at = self.promised(index);
-        // SAFETY: as the caller promises.
-        unsafe { self.handle.write::<P>(at, value) }
+        // SAFETY: as the caller promises. The block is looked up anew, since the caller may be on any thread.
+        unsafe { self.handle.without_paths().write::<P>(at, value) }
     }
 
     /// A view that reads and writes a path where an index contains the loop's variables.
@@ -270,6 +295,12 @@ impl<'a, R: Record, L: Layout<X>, X: Axes> View<'a, R, L, X, true> {
     #[track_caller]
     pub fn wraps_evenly<const N: usize>(self, offset: [i64; N]) {
         beside::assert_even(&self.handle.geometry.shape, &offset, self.site);
+    }
+
+    /// The field as this job accumulates into it.
+    #[inline(always)]
+    pub fn of_target<S: Space>(self, task: &Task<'_, S>, slot: usize) -> Self {
+        View { handle: self.handle.at(task.root(slot)), site: self.site }
     }
 
     /// A view that accumulates into a path at any index, as the launch's schedule says.

@@ -45,7 +45,7 @@ use crate::record::{Path, Record};
     label = "not a member of such values",
     note = "in a kernel's loop, hand on a member, `f(grid.mass, ..)`, or a bare field, `f(u, ..)`; elsewhere `&field.members().mass` or `&field`"
 )]
-pub trait Readable<T: Copy, X: Axes = I>: Copy + Send + Sync + Sealed {
+pub trait Readable<T: Copy, X: Axes = I>: Copy + Sealed {
     /// How the values lie.
     type Layout: Layout<X>;
 

@@ -1,6 +1,6 @@
 //! `Row` and `Own`: paths at the elements of a run, whose addresses need no index.
 
-use core::cell::UnsafeCell;
+use core::cell::{Cell, UnsafeCell};
 use core::marker::PhantomData;
 use core::mem::MaybeUninit;
 
@@ -8,8 +8,8 @@ use super::Site;
 use crate::axes::{Axes, MAX_AXES, per_axis, sum};
 use crate::field::Handle;
 use crate::index::inside;
-use crate::launch::{Cell, Run, Space, any_in_blocks, is_in_blocks};
-use crate::layout::{Chain, Geometry, Layout, Map};
+use crate::launch::{Cell as RunCell, Run, Space, any_in_blocks, is_in_blocks};
+use crate::layout::{Block, Chain, Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record};
 
 /// The longest run whose writes are held back.
@@ -36,6 +36,11 @@ struct Line<'a, R, L, X, P, S> {
     /// The run axis' place of element 0 in its block (`Blocks`).
     place: i64,
     fits: bool,
+    /// The block that element 0 moved along the other axes than the run's lies in, and where that begins (sparse branches).
+    block: Block,
+    brick: Cell<*mut u8>,
+    /// Whether the elements are known to be active: they are those that the loop runs over.
+    active: bool,
     types: PhantomData<(P, S)>,
 }
 
@@ -54,6 +59,8 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
         None => 0,
     };
 
+    /// Whether its memory follows what is active.
+    const SPARSE: bool = Map::<R, L, X>::is_sparse(Self::MEMBER);
     /// The branch that the path's member stands in.
     const CHAIN: &'static Chain = Map::<R, L, X>::chain(Self::MEMBER);
     const STRIDE: usize = Map::<R, L, X>::stride(Self::MEMBER);
@@ -90,6 +97,9 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
     fn new(handle: Handle<'a, R, L, X>, site: &'static Site, run: &Run<'_, S>, offset: [i64; MAX_AXES]) -> Self {
         const { assert!(S::RANK == X::RANK, "rows are taken from fields with as many axes as the loop") }
         let geometry = &handle.geometry;
+        if const { Self::SPARSE && matches!(Self::KIND, Kind::Blocks) } {
+            return Self::in_brick(handle, site, run, offset);
+        }
         let from = match Self::KIND {
             Kind::Even => Self::zero(geometry).wrapping_add(sum::<X>(
                 #[inline(always)]
@@ -113,7 +123,92 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
             Kind::Any => 0,
         };
         let (start, place) = (handle.root.wrapping_add(from), run.inner[S::AXIS] as i64);
-        Self { handle, site, start, offset, place, fits: run.fits, types: PhantomData }
+        let (block, brick) = ([0; MAX_AXES], Cell::new(core::ptr::null_mut()));
+        Self { handle, site, start, offset, place, fits: run.fits, block, brick, active: false, types: PhantomData }
+    }
+
+    /// The same in a sparse branch, whose blocks are arranged as those of the loop's field. The block is looked up once for the run.
+    #[inline(always)]
+    fn in_brick(handle: Handle<'a, R, L, X>, site: &'static Site, run: &Run<'_, S>, offset: [i64; MAX_AXES]) -> Self {
+        let extent = |a: usize| const { Self::CHAIN.extent }[a] as i64;
+        let inner = |a: usize| run.inner[a] as i64 + if a == S::AXIS { 0 } else { offset[a] };
+        let block = per_axis(
+            #[inline(always)]
+            |a| if a < X::RANK { (run.block[a] as u32).wrapping_add(inner(a).div_euclid(extent(a)) as u32) } else { 0 },
+        );
+        let from = Map::<R, L, X>::start(&handle.geometry, Self::MEMBER).wrapping_add(sum::<X>(
+            #[inline(always)]
+            |a| {
+                let place = if a == S::AXIS { 0 } else { inner(a).rem_euclid(extent(a)) };
+                Map::<R, L, X>::inner(Self::MEMBER, a, place as usize)
+            },
+        ));
+        let active = core::ptr::eq(run.root, handle.root) && offset == [0; MAX_AXES];
+        let brick = if !run.fits {
+            core::ptr::null_mut()
+        } else if active {
+            run.brick
+        } else {
+            handle.brick(Self::MEMBER, &block)
+        };
+        Self {
+            handle,
+            site,
+            start: core::ptr::null_mut::<u8>().wrapping_add(from),
+            offset,
+            place: run.inner[S::AXIS] as i64,
+            fits: run.fits,
+            block,
+            brick: Cell::new(brick),
+            active,
+            types: PhantomData,
+        }
+    }
+
+    /// The block of a cell, the cell's place along the run's axis in it, and where the block begins (sparse branches).
+    #[inline(always)]
+    fn block_of(&self, cell: &RunCell<'_, S>) -> (Block, i64, *mut u8) {
+        let along = self.place + cell.k as i64 + self.offset[S::AXIS];
+        let extent = const { Self::CHAIN.extent[S::AXIS] } as i64;
+        if cell.inside {
+            return (self.block, along, self.brick.get());
+        }
+        let over = along.div_euclid(extent);
+        if over == 0 {
+            return (self.block, along, self.brick.get());
+        }
+        let block = per_axis(
+            #[inline(always)]
+            |a| if a == S::AXIS { self.block[a].wrapping_add(over as u32) } else { self.block[a] },
+        );
+        (block, along.rem_euclid(extent), self.handle.brick(Self::MEMBER, &block))
+    }
+
+    /// The address of a cell whose block begins there.
+    #[inline(always)]
+    fn in_block(&self, cell: &RunCell<'_, S>, along: i64, brick: *mut u8) -> *mut u8 {
+        let term = if cell.inside {
+            // One stride an element: a run is a row of its block.
+            Map::<R, L, X>::inner(Self::MEMBER, S::AXIS, self.place as usize)
+                .wrapping_add(((along - self.place) as usize).wrapping_mul(Self::STRIDE))
+        } else {
+            Map::<R, L, X>::inner(Self::MEMBER, S::AXIS, along as usize)
+        };
+        brick.wrapping_add(self.start.addr()).wrapping_add(term)
+    }
+
+    /// Makes a cell active that the loop does not run over (sparse branches).
+    #[inline(always)]
+    fn activate(&self, cell: &RunCell<'_, S>) {
+        if self.active || !self.fits || self.offset != [0; MAX_AXES] {
+            return;
+        }
+        let (block, along, _) = self.block_of(cell);
+        let inner = per_axis(
+            #[inline(always)]
+            |a| if a == S::AXIS { along as u32 } else { cell.run.inner[a] as u32 },
+        );
+        self.brick.set(self.handle.touch(Self::MEMBER, &block, &inner));
     }
 
     /// What place `c` within block `block` along an axis adds to an address; places below zero and beyond the extent are
@@ -134,7 +229,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
     /// # Safety
     /// The loop's box with this offset lies within the shape (`fits`), and the cell is of the run of this line.
     #[inline(always)]
-    unsafe fn address(&self, cell: &Cell<'_, S>) -> *mut u8 {
+    unsafe fn address(&self, cell: &RunCell<'_, S>) -> *mut u8 {
         let geometry = &self.handle.geometry;
         match Self::KIND {
             Kind::Even => {
@@ -147,6 +242,10 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
                     // Element 0 of a cut run may lie outside.
                     self.start.wrapping_add(bytes)
                 }
+            }
+            Kind::Blocks if const { Self::SPARSE } => {
+                let (_, along, brick) = self.block_of(cell);
+                self.in_block(cell, along, brick)
             }
             Kind::Blocks => {
                 let along = self.offset[S::AXIS];
@@ -165,7 +264,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
     /// The place of a cell, moved by the offset, where it lies within the shape.
     #[inline(always)]
     #[track_caller]
-    fn checked(&self, cell: &Cell<'_, S>) -> [u32; MAX_AXES] {
+    fn checked(&self, cell: &RunCell<'_, S>) -> [u32; MAX_AXES] {
         if self.fits && const { any_in_blocks::<S, L, X>() } {
             // Both fields have one origin, and so the same places.
             let place = cell.place();
@@ -196,7 +295,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
 
     #[inline(always)]
     #[track_caller]
-    fn get(&self, cell: &Cell<'_, S>) -> P::Value {
+    fn get(&self, cell: &RunCell<'_, S>) -> P::Value {
         if Self::KIND == Kind::Any || !self.fits {
             let at = self.checked(cell);
             // SAFETY: `checked` returns places within the shape; who else may touch them is the view's promise.
@@ -220,11 +319,14 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
     /// Nobody else touches the path at this cell during the launch.
     #[inline(always)]
     #[track_caller]
-    unsafe fn set(&self, cell: &Cell<'_, S>, value: P::Value) {
+    unsafe fn set(&self, cell: &RunCell<'_, S>, value: P::Value) {
         if Self::KIND == Kind::Any || !self.fits {
             let at = self.checked(cell);
             // SAFETY: `checked` returns places within the shape; the caller has the element.
             return unsafe { self.handle.write::<P>(at, value) };
+        }
+        if const { Self::SPARSE } {
+            self.activate(cell);
         }
         if Self::INTERLEAVED {
             stay_scalar();
@@ -280,7 +382,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Row<'a, R, L, X
     /// Where it lies outside of the shape.
     #[inline(always)]
     #[track_caller]
-    pub fn get(&self, cell: &Cell<'_, S>) -> P::Value {
+    pub fn get(&self, cell: &RunCell<'_, S>) -> P::Value {
         self.0.get(cell)
     }
 }
@@ -307,7 +409,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Own<'a, R, L, X
     /// Where it lies outside of the shape.
     #[inline(always)]
     #[track_caller]
-    pub fn get(&self, cell: &Cell<'_, S>) -> P::Value {
+    pub fn get(&self, cell: &RunCell<'_, S>) -> P::Value {
         self.0.get(cell)
     }
 
@@ -317,7 +419,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Own<'a, R, L, X
     /// Where it lies outside of the shape.
     #[inline(always)]
     #[track_caller]
-    pub fn set(&self, cell: &Cell<'_, S>, value: P::Value) {
+    pub fn set(&self, cell: &RunCell<'_, S>, value: P::Value) {
         // SAFETY: the cell is a run's element, which one thread visits once, and the macro gives a path that is written
         // no other view.
         unsafe { self.0.set(cell, value) };
@@ -414,7 +516,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b
 
     #[inline(always)]
     fn holds(&self, run: &Run<'_, S>) -> bool {
-        Self::HOLDS && run.whole && self.line.fits
+        Self::HOLDS && run.whole && self.line.fits && (self.line.active || const { !Line::<'static, R, L, X, P, S>::SPARSE })
     }
 
     /// The value at a cell.
@@ -423,7 +525,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b
     /// Where it lies outside of the shape.
     #[inline(always)]
     #[track_caller]
-    pub fn get(&self, cell: &Cell<'_, S>) -> P::Value {
+    pub fn get(&self, cell: &RunCell<'_, S>) -> P::Value {
         if self.holds(cell.run) {
             // SAFETY: `new` has put all values of a whole run.
             return P::Value::from_elements(unsafe { self.buffer.take(cell.slot) });
@@ -437,7 +539,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b
     /// Where it lies outside of the shape.
     #[inline(always)]
     #[track_caller]
-    pub fn set(&self, cell: &Cell<'_, S>, value: P::Value) {
+    pub fn set(&self, cell: &RunCell<'_, S>, value: P::Value) {
         if self.holds(cell.run) {
             self.buffer.put(cell.slot, value.into_elements());
             return;

@@ -166,7 +166,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Together<'a, R, L, X, P> 
     where
         P::Value: Exchange,
     {
-        let (start, _) = self.lane.address(at);
+        let (start, _) = self.lane.address_mut(at);
         assert!(P::MEMBER.is_some() && start.addr().is_multiple_of(size_of::<P::Value>()));
         start.cast()
     }
@@ -219,7 +219,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Together<'a, R, L, X, P> 
                 let written = scatter(value, new);
                 for member in (0..R::Elements::MEMBERS.len()).filter(|member| written & 1 << member != 0) {
                     let spec = R::Elements::MEMBERS[member];
-                    let (to, step) = handle.component(member, at);
+                    let (to, step) = handle.component_mut(member, at);
                     for c in 0..spec.components {
                         let place = offset::<R>(member) + c * spec.scalar;
                         // SAFETY: within the scratch, which was written there; the component lies within the field, and is

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 use syn::Expr;
 
-use super::names::{self, Ends, handle, hidden, label, numbered, plain, private, span};
+use super::names::{self, Ends, handle, hidden, label, numbered, paths, plain, private, span};
 use super::rewrite::{Rewrite, Scope};
 use super::{captures, reductions};
 use crate::kernel::access::{Plan, View, plan};
@@ -290,15 +290,15 @@ impl Launch<'_> {
         };
         quote! {
             #private::Options {
-                kernel: #kernel, fits: #fits, heavy: #heavy, scatter: #scatter, targets: &[#(#targets),*], together: #together
+                kernel: #kernel, fits: #fits, heavy: #heavy, scatter: #scatter, targets: &[#(#targets),*], together: #together, ordered: false
             }
         }
     }
 
     /// Copies of the handles in the job's frame.
     fn copies(&self) -> TokenStream {
-        let handles: Vec<_> = self.used().collect();
-        if handles.is_empty() { TokenStream::new() } else { quote!(let (#(#handles,)*) = (#(#handles,)*);) }
+        let (paths, handles): (Vec<_>, Vec<_>) = self.used().map(|handle| (paths(&handle), handle)).unzip();
+        quote!(#(let #paths = #handles.paths(); let #handles = #handles.of_job(&#paths);)*)
     }
 
     /// Hides the fields' names, so that what was not rewritten does not compile.
@@ -309,6 +309,18 @@ impl Launch<'_> {
             return TokenStream::new();
         }
         quote!(#(let #names = #private::NotAnAccess;)* let _ = (#(&#names,)*);)
+    }
+
+    /// The field's handle where this job accumulates into the field: of its copy, perhaps.
+    pub(super) fn accumulated(&self, field: usize) -> TokenStream {
+        let handle = handle(&self.kernel.fields[field]);
+        match self.plan.targets.iter().position(|(target, _)| *target == field) {
+            Some(slot) => {
+                let task = hidden("task");
+                quote!(#handle.of_target(&#task, #slot))
+            }
+            None => quote!(#handle),
+        }
     }
 
     /// The views that hold for the whole job.

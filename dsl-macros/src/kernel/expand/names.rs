@@ -32,6 +32,11 @@ pub(super) fn handle(field: &FieldParam) -> Ident {
     hidden(&format!("field_{}", plain(&field.name)))
 }
 
+/// A job's memory of the blocks of a field, which a handle names.
+pub(super) fn paths(handle: &Ident) -> Ident {
+    format_ident!("{}_paths", handle, span = Span::mixed_site())
+}
+
 /// The promise of an unchecked kernel's caller.
 pub(super) fn unchecked() -> Ident {
     hidden("unchecked")

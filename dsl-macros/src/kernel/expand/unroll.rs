@@ -6,7 +6,7 @@ use syn::spanned::Spanned;
 use syn::{BinOp, Expr};
 
 use super::launch::Launch;
-use super::names::{handle, label, numbered, private};
+use super::names::{label, numbered, private};
 use super::rewrite::{Rewrite, Scope};
 use crate::kernel::access::View;
 use crate::kernel::model::{Boundary, Place, Unroll};
@@ -22,7 +22,7 @@ pub(super) fn unroll(rewrite: &Rewrite<'_>, node: usize, repeat: &Unroll) -> Tok
     let private = private();
     let locals: Vec<_> = (0..bases.len()).map(|number| numbered(&format!("b{node}_"), number)).collect();
     let checks = bases.iter().map(|base| {
-        let handle = handle(&launch.kernel.fields[base.field]);
+        let handle = launch.accumulated(base.field);
         let at = rewrite.expr(&base.base);
         if repeat.axes.is_some() {
             let (low, high) = (literal(base.low[0], "i64"), literal(base.high[0], "i64"));

@@ -81,7 +81,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     pub fn load(&mut self, path: impl AsRef<Path>) -> Result<(), FileError> {
         let path = path.as_ref();
         let fresh = self.read_archive(path).map_err(|fault| FileError::new(path, fault))?;
-        (self.memory, self.geometry) = (fresh.memory, fresh.geometry);
+        (self.storage, self.geometry) = (fresh.storage, fresh.geometry);
         Ok(())
     }
 

@@ -1,0 +1,305 @@
+//! A field's address and geometry: how values of any path are reached, whatever the layout.
+
+use core::marker::PhantomData;
+use core::sync::atomic::Ordering;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::storage::Storage;
+use crate::axes::{Axes, MAX_AXES, per_axis, sum};
+use crate::index::{IntoIndex, within};
+use crate::layout::{Block, Geometry, Layout, Map};
+use crate::record::{Path, Record};
+use crate::store::Store;
+use crate::store::active::ActiveList;
+use crate::store::paths::Paths;
+
+/// A field's address and geometry, which views copy. What may be done through it is its maker's promise.
+#[doc(hidden)]
+pub struct Handle<'a, R, L, X> {
+    pub(crate) root: *mut u8,
+    pub(crate) geometry: Geometry,
+    /// Where private copies of the field are kept between launches; nowhere for memory that is no field's.
+    pub(crate) spare: Option<&'a Mutex<Vec<Storage>>>,
+    /// The blocks of sparse branches that this job has found; null outside of jobs.
+    paths: *const Paths,
+    /// Told apart in these: the blocks of the field itself, 0, and those of a job's own copy.
+    copy: u32,
+    /// Whether its maker holds the whole field's `&mut`, rather than that of a member.
+    pub(crate) exclusive: bool,
+    marker: PhantomData<(R, L, X)>,
+}
+
+/// More than any layout has branches.
+const COPY: u32 = 8;
+
+impl<R, L, X> Clone for Handle<'_, R, L, X> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<R, L, X> Copy for Handle<'_, R, L, X> {}
+
+// SAFETY: a handle is an address; every read or write through it is justified where it is made, by the borrow of the
+// field (host views) or by the launch's rules (kernel views). Views of jobs, which have paths, are not `Send`.
+unsafe impl<R, L, X> Send for Handle<'_, R, L, X> {}
+// SAFETY: as above.
+unsafe impl<R, L, X> Sync for Handle<'_, R, L, X> {}
+
+impl<'a, R, L, X> Handle<'a, R, L, X> {
+    /// The handle of a field's storage.
+    #[inline(always)]
+    pub(crate) fn new(
+        root: *mut u8,
+        geometry: Geometry,
+        spare: Option<&'a Mutex<Vec<Storage>>>,
+        exclusive: bool,
+    ) -> Self {
+        Self { root, geometry, spare, paths: core::ptr::null(), copy: 0, exclusive, marker: PhantomData }
+    }
+
+    /// A handle for the elements of a slice.
+    #[inline]
+    pub(crate) fn of_slice(root: *mut u8, geometry: Geometry) -> Self {
+        Self::new(root, geometry, None, true)
+    }
+
+    /// The same with a job's memory of blocks.
+    ///
+    /// # Safety
+    /// The memory outlives every use of the handle, which stays on this thread.
+    #[inline(always)]
+    pub(crate) unsafe fn with_paths(self, paths: *const Paths) -> Self {
+        Self { paths, ..self }
+    }
+
+    /// The same without such a memory: for whoever may be on another thread.
+    #[inline(always)]
+    pub(crate) fn without_paths(self) -> Self {
+        Self { paths: core::ptr::null(), ..self }
+    }
+
+    /// The same geometry at another address, where as many bytes lie.
+    #[inline(always)]
+    pub(crate) fn at(self, root: *mut u8) -> Self {
+        Self { root, copy: if core::ptr::eq(root, self.root) { self.copy } else { COPY }, ..self }
+    }
+}
+
+impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
+    /// A memory of blocks for a job.
+    #[inline(always)]
+    pub(crate) fn paths(&self) -> Paths {
+        if const { Map::<R, L, X>::any_sparse() } { Paths::new() } else { Paths::none() }
+    }
+
+    /// What holds the blocks of a member's branch.
+    #[inline(always)]
+    pub(crate) fn store(&self, m: usize) -> &Store {
+        assert!(Map::<R, L, X>::is_sparse(m));
+        let at = self.root.wrapping_add(Map::<R, L, X>::store_at(&self.geometry, m));
+        // SAFETY: there the storage has put the address of the branch's store, which it owns; the handle's maker keeps it alive.
+        unsafe { &**at.cast::<*const Store>() }
+    }
+
+    /// The block of an element of a sparse branch, and the element's place in it.
+    #[inline(always)]
+    pub(crate) fn split(m: usize, at: [u32; MAX_AXES]) -> (Block, [u32; MAX_AXES]) {
+        let extent = |a: usize| Map::<R, L, X>::chain(m).extent[a] as u32;
+        (
+            per_axis(
+                #[inline(always)]
+                |a| at[a] / extent(a),
+            ),
+            per_axis(
+                #[inline(always)]
+                |a| at[a] % extent(a),
+            ),
+        )
+    }
+
+    /// A block of a sparse branch; where there is none, the background's.
+    #[inline(always)]
+    pub(crate) fn brick(&self, m: usize, block: &Block) -> *mut u8 {
+        let store = self.store(m);
+        let find = || {
+            let found = Map::<R, L, X>::find(&self.geometry, store, m, block);
+            if found.is_null() { store.background } else { found }
+        };
+        if self.paths.is_null() {
+            return find();
+        }
+        // SAFETY: whoever gave the handle paths keeps them alive and on this thread.
+        unsafe { (*self.paths).get(block, self.copy + Map::<R, L, X>::branch(m) as u32, find) }
+    }
+
+    /// The block of an element of a sparse branch, whose cell becomes active.
+    #[inline(always)]
+    pub(crate) fn touch(&self, m: usize, block: &Block, inner: &[u32; MAX_AXES]) -> *mut u8 {
+        let brick = self.brick(m, block);
+        let brick = if core::ptr::eq(brick, self.store(m).background) { self.grow(m, block) } else { brick };
+        self.activate_in(m, brick, block, inner);
+        brick
+    }
+
+    /// Makes a cell of a block that is there active.
+    #[inline(always)]
+    pub(crate) fn activate_in(&self, m: usize, brick: *mut u8, block: &Block, inner: &[u32; MAX_AXES]) {
+        let grain = Map::<R, L, X>::grain(m);
+        if grain > 0 {
+            let bit = Map::<R, L, X>::cell_number(m, inner) / grain;
+            let (word, bit) = Store::bit_of(brick, Map::<R, L, X>::bits_at(m), bit);
+            // Read first: neighbours of many threads share the word.
+            if word.load(Ordering::Relaxed) & bit == 0 {
+                word.fetch_or(bit, Ordering::Relaxed);
+                self.store(m).mark();
+            }
+        }
+        if let Some(list) = const { Map::<R, L, X>::list() } {
+            let entry = (block[list.axis] as usize) * list.chunk + inner[list.axis] as usize;
+            self.extend(block, entry + 1);
+        }
+    }
+
+    /// Makes a list have so many entries at least.
+    fn extend(&self, block: &Block, len: usize) {
+        let list = const { Map::<R, L, X>::list() };
+        let Some(list) = list else { return };
+        assert!(len <= list.most, "an entry within the list's maximum");
+        let store = self.store(0);
+        let head = Map::<R, L, X>::head::<true>(&self.geometry, store, block).expect("a list that was just made");
+        if head.extend(len) {
+            // The entries before it are there now, too.
+            for chunk in 0..len.div_ceil(list.chunk) {
+                let mut at = *block;
+                at[list.axis] = chunk as u32;
+                Map::<R, L, X>::grow(&self.geometry, store, 0, &at);
+            }
+            store.mark();
+        }
+    }
+
+    /// Makes a block, and remembers it.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn grow(&self, m: usize, block: &Block) -> *mut u8 {
+        let brick = Map::<R, L, X>::grow(&self.geometry, self.store(m), m, block);
+        if !self.paths.is_null() {
+            // SAFETY: as in `brick`.
+            unsafe { (*self.paths).put(block, self.copy + Map::<R, L, X>::branch(m) as u32, brick) };
+        }
+        brick
+    }
+
+    /// A member's first component at a place in a block of a sparse branch, and the distance of its components.
+    #[inline(always)]
+    pub(crate) fn component_in(&self, m: usize, brick: *mut u8, inner: &[u32; MAX_AXES]) -> (*mut u8, usize) {
+        let offset = Map::<R, L, X>::start(&self.geometry, m).wrapping_add(sum::<X>(
+            #[inline(always)]
+            |a| Map::<R, L, X>::inner(m, a, inner[a] as usize),
+        ));
+        (brick.wrapping_add(offset), Map::<R, L, X>::component(&self.geometry, m))
+    }
+
+    /// A member's first component at an element, and the distance of its components: to be read.
+    #[inline(always)]
+    pub(crate) fn component(&self, m: usize, at: [u32; MAX_AXES]) -> (*mut u8, usize) {
+        if Map::<R, L, X>::is_sparse(m) {
+            let (block, inner) = Self::split(m, at);
+            return self.component_in(m, self.brick(m, &block), &inner);
+        }
+        let offset = Map::<R, L, X>::offset(&self.geometry, m, at);
+        (self.root.wrapping_add(offset), Map::<R, L, X>::component(&self.geometry, m))
+    }
+
+    /// The same to be written: the element becomes active.
+    #[inline(always)]
+    pub(crate) fn component_mut(&self, m: usize, at: [u32; MAX_AXES]) -> (*mut u8, usize) {
+        if Map::<R, L, X>::is_sparse(m) {
+            let (block, inner) = Self::split(m, at);
+            return self.component_in(m, self.touch(m, &block, &inner), &inner);
+        }
+        self.component(m, at)
+    }
+
+    /// Reads a path at an element.
+    ///
+    /// # Safety
+    /// The element lies within the shape, and nobody writes it meanwhile.
+    #[inline(always)]
+    pub(crate) unsafe fn read<P: Path<R>>(&self, at: [u32; MAX_AXES]) -> P::Value {
+        // SAFETY: components of elements within the shape lie in the field's memory, which holds values of their types.
+        unsafe {
+            P::gather(
+                #[inline(always)]
+                |m| self.component(m, at),
+            )
+        }
+    }
+
+    /// Writes a path at an element, which becomes active.
+    ///
+    /// # Safety
+    /// The element lies within the shape, and nobody reads or writes it meanwhile.
+    #[inline(always)]
+    pub(crate) unsafe fn write<P: Path<R>>(&self, at: [u32; MAX_AXES], value: P::Value) {
+        // SAFETY: as for `read`, and the caller has the element to itself.
+        unsafe {
+            P::scatter(
+                value,
+                #[inline(always)]
+                |m| self.component_mut(m, at),
+            )
+        }
+    }
+
+    /// Whether an index lies within the shape.
+    #[inline(always)]
+    pub(crate) fn locate(&self, index: impl IntoIndex<X>) -> Option<[u32; MAX_AXES]> {
+        within::<X>(index.coordinates(), &self.geometry)
+    }
+
+    /// Whether the element at a place is active in a member's branch.
+    pub(crate) fn is_active_at(&self, m: usize, at: [u32; MAX_AXES]) -> bool {
+        if !Map::<R, L, X>::is_sparse(m) {
+            return true;
+        }
+        let (block, inner) = Self::split(m, at);
+        if let Some(list) = const { Map::<R, L, X>::list() } {
+            return (at[list.axis] as usize) < self.list_len(&block);
+        }
+        let brick = Map::<R, L, X>::find(&self.geometry, self.store(m), m, &block);
+        let grain = Map::<R, L, X>::grain(m);
+        if brick.is_null() || grain == 0 {
+            return !brick.is_null();
+        }
+        let bit = Map::<R, L, X>::cell_number(m, &inner) / grain;
+        let (word, bit) = Store::bit_of(brick, Map::<R, L, X>::bits_at(m), bit);
+        word.load(Ordering::Relaxed) & bit != 0
+    }
+
+    /// The entries of the list at a block's place.
+    pub(crate) fn list_len(&self, block: &Block) -> usize {
+        let list = const { Map::<R, L, X>::list() };
+        let Some(list) = list else { return 0 };
+        Map::<R, L, X>::head::<false>(&self.geometry, self.store(0), block).map_or(0, |head| head.len(list.most))
+    }
+
+    /// The active elements of a member's sparse branch, as they are now: the list is made anew where activity has changed.
+    pub(crate) fn actives(&self, m: usize) -> Arc<ActiveList> {
+        let store = self.store(m);
+        let mut actives = store.actives.lock().unwrap_or_else(PoisonError::into_inner);
+        let stale = store.take_mark();
+        match &actives.newest {
+            Some(list) if !stale => Arc::clone(list),
+            _ => {
+                let list = Arc::new(Map::<R, L, X>::active(&self.geometry, store, m));
+                if let Some(old) = actives.newest.replace(Arc::clone(&list)) {
+                    // A loop may still be running over it.
+                    actives.older.push(old);
+                }
+                list
+            }
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! Running over the active elements of a sparse field.
+
+use core::marker::PhantomData;
+use core::ops::Range;
+
+use super::run::Run;
+use super::space::{Cells, Space};
+use crate::axes::{Axes, MAX_AXES, PerAxis, all, per_axis};
+use crate::layout::Layout;
+use crate::layout::node::{Chained, nth_row, rows};
+use crate::record::{Path, Record};
+use crate::store::active::{ActiveBrick, ActiveList, next_bit};
+
+impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
+    /// Cells that share one activity bit; 0 where a block is active as a whole.
+    const GRAIN: usize = match &<Self as Chained<X>>::CHAIN.tree {
+        Some(tree) => tree.grain,
+        None => 0,
+    };
+    const LIST: bool = matches!(&<Self as Chained<X>>::CHAIN.tree, Some(tree) if tree.list.is_some());
+    const ROWS: usize = <Self as Chained<X>>::CHAIN.rows;
+
+    /// Visits the runs of some of the work, which is counted in the elements of active blocks.
+    #[inline(always)]
+    pub(super) fn visit_active<const LIGHT: bool>(
+        &self,
+        units: Range<usize>,
+        fits: bool,
+        run: &mut impl FnMut(Run<'_, Self>),
+    ) {
+        let Some(list) = self.active_list() else { return };
+        let mut n = list.ends.partition_point(|&end| end <= units.start);
+        while n < list.bricks.len() && list.start(n) < units.end {
+            let (start, work) = (list.start(n), list.ends[n] - list.start(n));
+            let (from, to) = (units.start.saturating_sub(start), (units.end - start).min(work));
+            let brick = &list.bricks[n];
+            if const { Self::LIST } {
+                self.entries(brick, from..to, fits, run);
+            } else if LIGHT && Self::GRAIN == 0 && from == 0 && to == work && self.is_inside(brick) {
+                self.whole_brick(brick, fits, run);
+            } else {
+                // Rows are dealt out in the proportion of the work: the same cut for the job before and for the one behind.
+                let row = |part: usize| (part * Self::ROWS).div_ceil(work);
+                self.rows_of(list, n, row(from)..row(to), fits, run);
+            }
+            n += 1;
+        }
+    }
+
+    /// Whether a block lies in the loop's box.
+    #[inline(always)]
+    fn is_inside(&self, brick: &ActiveBrick) -> bool {
+        all::<X>(
+            #[inline(always)]
+            |a| {
+                let extent = u64::from(const { &<Self as Space>::EXTENT }[a] as u32);
+                let start = u64::from(brick.block[a]) * extent;
+                a >= X::RANK || (start >= self.first[a].into() && start + extent <= self.end[a].into())
+            },
+        )
+    }
+
+    #[inline(always)]
+    fn block_number(brick: &ActiveBrick) -> PerAxis {
+        per_axis(
+            #[inline(always)]
+            |a| brick.block[a] as usize,
+        )
+    }
+
+    /// Visits all runs of a block.
+    #[inline(always)]
+    fn whole_brick(&self, brick: &ActiveBrick, fits: bool, run: &mut impl FnMut(Run<'_, Self>)) {
+        let (block, root) = (Self::block_number(brick), self.root());
+        rows::<Self, X>(
+            #[inline(always)]
+            |inner| {
+                let (at, len, brick) = (self.start(block, inner), <Self as Space>::RUN, brick.start);
+                run(Run { at, first: 0, len, block, inner, brick, root, whole: true, fits, owner: PhantomData });
+            },
+        );
+    }
+
+    /// Visits the active elements of some rows of a block.
+    #[inline(always)]
+    fn rows_of(
+        &self,
+        list: &ActiveList,
+        n: usize,
+        rows: Range<usize>,
+        fits: bool,
+        run: &mut impl FnMut(Run<'_, Self>),
+    ) {
+        let length = <Self as Space>::RUN;
+        let (brick, bits) = (&list.bricks[n], if Self::GRAIN > 0 { list.bits(n) } else { &[] });
+        let (block, root, inside) = (Self::block_number(brick), self.root(), self.is_inside(brick));
+        for r in rows {
+            // The row's elements have one bit each, or one for them all.
+            let first_bit = if Self::GRAIN == 1 { r * length } else { r * length / Self::GRAIN.max(1) };
+            let row_bits = if Self::GRAIN == 1 { length } else { 1 };
+            let set = if Self::GRAIN > 0 { next_bit(bits, first_bit, first_bit + row_bits, true) } else { first_bit };
+            if set == first_bit + row_bits {
+                continue;
+            }
+            let inner = nth_row::<X>(<Self as Chained<X>>::CHAIN, r);
+            let (first, end) = if inside { (0, length) } else { self.cut(block, inner) };
+            let at = self.start(block, inner);
+            let mut piece = |first: usize, len: usize| {
+                let (brick, whole) = (brick.start, len == length);
+                run(Run { at, first, len, block, inner, brick, root, whole, fits, owner: PhantomData });
+            };
+            if Self::GRAIN != 1 {
+                if first < end {
+                    piece(first, end - first);
+                }
+                continue;
+            }
+            let mut k = set - first_bit;
+            while k < end {
+                let stop = next_bit(bits, first_bit + k, first_bit + length, false) - first_bit;
+                let (from, to) = (k.max(first), stop.min(end));
+                if from < to {
+                    piece(from, to - from);
+                }
+                k = next_bit(bits, first_bit + stop, first_bit + length, true) - first_bit;
+            }
+        }
+    }
+
+    /// The part of a row that lies in the loop's box.
+    fn cut(&self, block: PerAxis, inner: PerAxis) -> (usize, usize) {
+        let (axis, length) = (<Self as Space>::AXIS, <Self as Space>::RUN as i64);
+        let place = Self::place(block, inner);
+        let inside = (0..X::RANK)
+            .all(|a| a == axis || (place[a] >= i64::from(self.first[a]) && place[a] < i64::from(self.end[a])));
+        let first = (i64::from(self.first[axis]) - place[axis]).clamp(0, length);
+        let end = (i64::from(self.end[axis]) - place[axis]).clamp(first, length);
+        if inside { (first as usize, end as usize) } else { (0, 0) }
+    }
+
+    /// Visits some entries of a list's block.
+    #[inline(always)]
+    fn entries(&self, brick: &ActiveBrick, part: Range<usize>, fits: bool, run: &mut impl FnMut(Run<'_, Self>)) {
+        let (block, inner, root) = (Self::block_number(brick), [0; MAX_AXES], self.root());
+        let (first, end) = if self.is_inside(brick) { (0, <Self as Space>::RUN) } else { self.cut(block, inner) };
+        let (first, end) = (first.max(part.start), end.min(part.end));
+        if first < end {
+            let (at, len, brick) = (self.start(block, inner), end - first, brick.start);
+            run(Run { at, first, len, block, inner, brick, root, whole: false, fits, owner: PhantomData });
+        }
+    }
+}
