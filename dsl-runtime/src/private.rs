@@ -16,7 +16,7 @@ pub use crate::record::{
 };
 pub use crate::scatter::{Op, Scattered, Target};
 pub use crate::view::{
-    Accumulate, Based, Beside, Boxed, Buffer, Free, Held, Linear, Own, OwnFree, Read, Row, Site, Together, Var, View,
+    Accumulate, Based, Beside, Boxed, Buffer, Free, Held, Linear, OfLoop, Other, Own, OwnFree, Read, Row, Site, Together, Var, View,
     assert_packed, buffer, exclusive, negative, shared,
 };
 

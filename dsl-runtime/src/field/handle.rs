@@ -157,21 +157,22 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
         }
         if let Some(list) = const { Map::<R, L, X>::list() } {
             let entry = (block[list.axis] as usize) * list.chunk + inner[list.axis] as usize;
-            self.extend(block, entry + 1);
+            Self::extend(*self, *block, entry + 1);
         }
     }
 
     /// Makes a list have so many entries at least.
-    fn extend(&self, block: &Block, len: usize) {
+    #[inline(never)]
+    fn extend(self, block: Block, len: usize) {
         let list = const { Map::<R, L, X>::list() };
         let Some(list) = list else { return };
         assert!(len <= list.most, "an entry within the list's maximum");
         let store = self.store(0);
-        let head = Map::<R, L, X>::head::<true>(&self.geometry, store, block).expect("a list that was just made");
+        let head = Map::<R, L, X>::head::<true>(&self.geometry, store, &block).expect("a list that was just made");
         if head.extend(len) {
             // The entries before it are there now, too.
             for chunk in 0..len.div_ceil(list.chunk) {
-                let mut at = *block;
+                let mut at = block;
                 at[list.axis] = chunk as u32;
                 Map::<R, L, X>::grow(&self.geometry, store, 0, &at);
             }
@@ -180,13 +181,19 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     }
 
     /// Makes a block, and remembers it.
+    #[inline(always)]
+    pub(crate) fn grow(&self, m: usize, block: &Block) -> *mut u8 {
+        // A copy: what a call could reach would have to stay in memory, with all that it is a part of.
+        Self::grow_cold(*self, m, *block)
+    }
+
     #[cold]
     #[inline(never)]
-    pub(crate) fn grow(&self, m: usize, block: &Block) -> *mut u8 {
-        let brick = Map::<R, L, X>::grow(&self.geometry, self.store(m), m, block);
+    fn grow_cold(self, m: usize, block: Block) -> *mut u8 {
+        let brick = Map::<R, L, X>::grow(&self.geometry, self.store(m), m, &block);
         if !self.paths.is_null() {
             // SAFETY: as in `brick`.
-            unsafe { (*self.paths).put(block, self.copy + Map::<R, L, X>::branch(m) as u32, brick) };
+            unsafe { (*self.paths).put(&block, self.copy + Map::<R, L, X>::branch(m) as u32, brick) };
         }
         brick
     }

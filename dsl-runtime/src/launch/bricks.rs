@@ -11,6 +11,9 @@ use crate::layout::node::{Chained, nth_row, rows};
 use crate::record::{Path, Record};
 use crate::store::active::{ActiveBrick, ActiveList, next_bit};
 
+/// The most rows of a block whose places are in a table.
+const TABLED: usize = 256;
+
 impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
     /// Cells that share one activity bit; 0 where a block is active as a whole.
     const GRAIN: usize = match &<Self as Chained<X>>::CHAIN.tree {
@@ -19,6 +22,40 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
     };
     const LIST: bool = matches!(&<Self as Chained<X>>::CHAIN.tree, Some(tree) if tree.list.is_some());
     const ROWS: usize = <Self as Chained<X>>::CHAIN.rows;
+
+    /// Where the first rows of a block begin: finding them by division takes longer than many a body.
+    const PLACES: &'static [[u16; MAX_AXES]; TABLED] = &{
+        let (mut places, mut r) = ([[0; MAX_AXES]; TABLED], 0);
+        while r < Self::ROWS && r < TABLED {
+            let place = nth_row::<X>(<Self as Chained<X>>::CHAIN, r);
+            let mut axis = 0;
+            while axis < MAX_AXES {
+                places[r][axis] = place[axis] as u16;
+                axis += 1;
+            }
+            r += 1;
+        }
+        places
+    };
+    /// Whether all rows are in that table.
+    const IS_TABLED: bool = {
+        let extent = <Self as Space>::EXTENT;
+        let long = (1 << 16) - 1;
+        Self::ROWS <= TABLED && extent[0] < long && extent[1] < long && extent[2] < long && extent[3] < long
+    };
+
+    /// Where a row of a block begins.
+    #[inline(always)]
+    fn row_place(r: usize) -> PerAxis {
+        if const { Self::IS_TABLED } {
+            let place = Self::PLACES[r];
+            return per_axis(
+                #[inline(always)]
+                |a| place[a] as usize,
+            );
+        }
+        nth_row::<X>(<Self as Chained<X>>::CHAIN, r)
+    }
 
     /// Visits the runs of some of the work, which is counted in the elements of active blocks.
     #[inline(always)]
@@ -50,6 +87,11 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
     /// Whether a block lies in the loop's box.
     #[inline(always)]
     fn is_inside(&self, brick: &ActiveBrick) -> bool {
+        self.all_inside || self.is_brick_inside(brick)
+    }
+
+    #[inline(always)]
+    fn is_brick_inside(&self, brick: &ActiveBrick) -> bool {
         all::<X>(
             #[inline(always)]
             |a| {
@@ -102,7 +144,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             if set == first_bit + row_bits {
                 continue;
             }
-            let inner = nth_row::<X>(<Self as Chained<X>>::CHAIN, r);
+            let inner = Self::row_place(r);
             let (first, end) = if inside { (0, length) } else { self.cut(block, inner) };
             let at = self.start(block, inner);
             let mut piece = |first: usize, len: usize| {

@@ -19,6 +19,7 @@ use core::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 pub use reduction::{Partial, Reduction, Strip, reduction};
+pub(crate) use run::stay_scalar;
 pub use run::{Cell, Run};
 pub use sieve::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, sifted};
 pub use space::{Space, interior, of_branch, over, range};

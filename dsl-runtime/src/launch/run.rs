@@ -43,6 +43,19 @@ pub struct Cell<'r, S> {
     pub(crate) inside: bool,
 }
 
+/// Runs that are not worth a vector loop of their own, with its checks, where they are cut.
+const SHORT: usize = 32;
+
+/// Keeps the compiler from making a vector loop of the one that this stands in.
+#[inline(always)]
+pub(crate) fn stay_scalar() {
+    #[cfg(all(target_arch = "x86_64", not(miri)))]
+    // SAFETY: no instruction at all.
+    unsafe {
+        core::arch::asm!("", options(nomem, nostack, preserves_flags));
+    }
+}
+
 impl<S: Space> Run<'_, S> {
     #[inline(always)]
     pub(crate) fn cell(&self, slot: usize, inside: bool) -> Cell<'_, S> {
@@ -70,12 +83,26 @@ impl<S: Space> Run<'_, S> {
             for slot in tail..S::RUN {
                 once(&mut body, self.cell(slot, false));
             }
+        } else if const { S::SPARSE } {
+            // Rows of sparse blocks are often cut: neighbours are looked up at the ends alone.
+            let end = self.first + self.len;
+            let head = halo.clamp(self.first, end);
+            let tail = S::RUN.saturating_sub(halo).clamp(head, end);
+            for k in self.first..head {
+                once(&mut body, self.cell(k - self.first, false));
+            }
+            for k in head..tail {
+                if const { S::RUN <= SHORT } {
+                    stay_scalar();
+                }
+                once(&mut body, self.cell(k - self.first, true));
+            }
+            for k in tail..end {
+                once(&mut body, self.cell(k - self.first, false));
+            }
         } else {
             for slot in 0..self.len {
-                let k = self.first + slot;
-                // Rows of sparse blocks are often cut: neighbours are looked up at the ends alone.
-                let inside = halo == 0 || (const { S::SPARSE } && k >= halo && k + halo < S::RUN);
-                once(&mut body, self.cell(slot, inside));
+                once(&mut body, self.cell(slot, halo == 0));
             }
         }
     }

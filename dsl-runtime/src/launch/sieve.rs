@@ -218,6 +218,7 @@ impl<S: Space, F: Sieve> Space for Sifted<S, F> {
     const EXTENT: PerAxis = S::EXTENT;
     const DIGITS: &'static [Digit] = S::DIGITS;
     const SPARSE: bool = S::SPARSE;
+    const BRANCH: usize = S::BRANCH;
 
     /// As many as there are to sift: what decides how they are dealt out.
     fn elements(&self) -> usize {

@@ -33,6 +33,8 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
     const DIGITS: &'static [Digit];
     /// Whether blocks are found through the loop's field alone.
     const SPARSE: bool = false;
+    /// The branch of the loop's field.
+    const BRANCH: usize = 0;
     /// Elements in all.
     fn elements(&self) -> usize;
     /// What is dealt out to threads: blocks, or elements where there are none.
@@ -141,6 +143,8 @@ pub struct Cells<R, L, X, P> {
     blocks: PerAxis,
     /// The active elements, and the field's memory (sparse branches); else null.
     active: Active,
+    /// Whether all active blocks lie in the box as a whole.
+    pub(super) all_inside: bool,
     types: PhantomData<(Types<R, L>, Types<X, P>)>,
 }
 
@@ -162,6 +166,12 @@ impl Active {
     fn list(&self) -> Option<&ActiveList> {
         // SAFETY: null, or a list that the field keeps for as long as the space is used.
         unsafe { self.list.as_ref() }
+    }
+
+    /// Whether all active blocks, each of so many elements, lie in `first..end` along an axis.
+    fn is_inside(&self, axis: usize, extent: u32, first: u32, end: u32) -> bool {
+        let at = |block: u64| block.saturating_mul(extent.into());
+        self.list().is_some_and(|list| at(list.first[axis]) >= first.into() && at(list.end[axis]) <= end.into())
     }
 
     /// The part of `first..end` along an axis in which active blocks lie, each of so many elements.
@@ -204,6 +214,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             first_block: [0; MAX_AXES],
             blocks: [1; MAX_AXES],
             active,
+            all_inside: true,
             types: PhantomData,
         };
         for axis in 0..X::RANK {
@@ -211,6 +222,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             let size = geometry.shape[axis];
             let first = border.min(size);
             let end = size.saturating_sub(border).max(first);
+            this.all_inside &= active.is_inside(axis, extent, first, end);
             let (first, end) = active.clipped(axis, extent, first, end);
             (this.first[axis], this.end[axis]) = (first, end);
             this.first_block[axis] = (first / extent) as usize;
@@ -360,6 +372,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Space for Cells<R, L, X, P> {
     const EXTENT: PerAxis = <Self as Chained<X>>::CHAIN.extent;
     const DIGITS: &'static [Digit] = <Self as Chained<X>>::CHAIN.digits;
     const SPARSE: bool = <Self as Chained<X>>::CHAIN.is_sparse();
+    const BRANCH: usize = Map::<R, L, X>::branch(P::OFFSET);
 
     fn elements(&self) -> usize {
         if let Some(list) = self.active.list() {

@@ -21,7 +21,7 @@ pub(crate) use free::Places;
 pub use free::{Boxed, Free, Linear, Var};
 pub use read::Read;
 pub use readable::Readable;
-pub use row::{Buffer, Held, Own, Row, buffer};
+pub use row::{Buffer, Held, OfLoop, Other, Own, Row, Whose, buffer};
 pub use together::Together;
 
 pub use free::OwnFree;
@@ -50,13 +50,13 @@ impl Site {
     #[track_caller]
     pub(crate) fn out_of_range<X: Axes>(&self, at: [i64; MAX_AXES], geometry: &Geometry) -> ! {
         // One by one: an array would be put into memory in every iteration, lest it be needed here.
-        self.out_of_range_at::<X>(at[0], at[1], at[2], at[3], geometry)
+        self.out_of_range_at::<X>(at[0], at[1], at[2], at[3], *geometry)
     }
 
     #[cold]
     #[inline(never)]
     #[track_caller]
-    fn out_of_range_at<X: Axes>(&self, i: i64, j: i64, k: i64, l: i64, geometry: &Geometry) -> ! {
+    fn out_of_range_at<X: Axes>(&self, i: i64, j: i64, k: i64, l: i64, geometry: Geometry) -> ! {
         self.missed(&[i, j, k, l][..X::RANK], &geometry.shape[..X::RANK], &geometry.origin[..X::RANK])
     }
 
@@ -189,12 +189,13 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
 
     /// A view that reads a path at the run's elements, moved by constant offsets.
     #[inline(always)]
-    pub fn row<const N: usize, S: Space, P: Path<R>>(
+    pub fn row<const N: usize, S: Space, P: Path<R>, H: Whose>(
         self,
         run: &Run<'_, S>,
         _: P,
         offset: [i64; N],
-    ) -> Row<'a, R, L, X, P, S> {
+        _: H,
+    ) -> Row<'a, R, L, X, P, S, H> {
         let mut by = [0; MAX_AXES];
         by[..N].copy_from_slice(&offset);
         Row::new(self.handle, self.site, run, by)
@@ -244,18 +245,19 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
 impl<'a, R: Record, L: Layout<X>, X: Axes> View<'a, R, L, X, true> {
     /// A view that reads and writes a path at the run's own elements, at once.
     #[inline(always)]
-    pub fn own<S: Space, P: Path<R>>(self, run: &Run<'_, S>, _: P) -> Own<'a, R, L, X, P, S> {
+    pub fn own<S: Space, P: Path<R>, H: Whose>(self, run: &Run<'_, S>, _: P, _: H) -> Own<'a, R, L, X, P, S, H> {
         Own::new(self.handle, self.site, run)
     }
 
     /// As [`own`](Self::own); what is written to short runs waits in registers for [`flush`](Held::flush).
     #[inline(always)]
-    pub fn held<'b, S: Space, P: Path<R>>(
+    pub fn held<'b, S: Space, P: Path<R>, H: Whose>(
         self,
         run: &Run<'_, S>,
         _: P,
         buffer: &'b Buffer<<P::Value as Record>::Elements>,
-    ) -> Held<'a, 'b, R, L, X, P, S> {
+        _: H,
+    ) -> Held<'a, 'b, R, L, X, P, S, H> {
         Held::new(self.handle, self.site, run, buffer)
     }
 

@@ -8,12 +8,33 @@ use super::Site;
 use crate::axes::{Axes, MAX_AXES, per_axis, sum};
 use crate::field::Handle;
 use crate::index::inside;
-use crate::launch::{Cell as RunCell, Run, Space, any_in_blocks, is_in_blocks};
+use crate::launch::{Cell as RunCell, Run, stay_scalar, Space, any_in_blocks, is_in_blocks};
 use crate::layout::{Block, Chain, Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record};
 
 /// The longest run whose writes are held back.
 const HELD: usize = 64;
+
+/// Whose field a view is of: the macro tells, and a view of a sparse field checks it.
+#[doc(hidden)]
+pub trait Whose: Copy + 'static {
+    /// Whether it is the one that the loop runs over.
+    const LOOP: bool;
+}
+/// The field that the loop runs over.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct OfLoop;
+/// Another field.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Other;
+impl Whose for OfLoop {
+    const LOOP: bool = true;
+}
+impl Whose for Other {
+    const LOOP: bool = false;
+}
 
 /// How the elements of a run lie in a field.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -27,7 +48,7 @@ enum Kind {
 }
 
 /// Addresses of a path at the elements of a run, moved by a constant offset.
-struct Line<'a, R, L, X, P, S> {
+struct Line<'a, R, L, X, P, S, H> {
     handle: Handle<'a, R, L, X>,
     site: &'static Site,
     /// Element 0's address (`Even`), or that of its run's line in the block without the run axis' term (`Blocks`).
@@ -39,12 +60,10 @@ struct Line<'a, R, L, X, P, S> {
     /// The block that element 0 moved along the other axes than the run's lies in, and where that begins (sparse branches).
     block: Block,
     brick: Cell<*mut u8>,
-    /// Whether the elements are known to be active: they are those that the loop runs over.
-    active: bool,
-    types: PhantomData<(P, S)>,
+    types: PhantomData<(P, S, H)>,
 }
 
-impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, X, P, S> {
+impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<'a, R, L, X, P, S, H> {
     const KIND: Kind = if P::MEMBER.is_none() || S::RANK != X::RANK {
         Kind::Any
     } else if Self::CHAIN.is_flat() {
@@ -61,6 +80,8 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
 
     /// Whether its memory follows what is active.
     const SPARSE: bool = Map::<R, L, X>::is_sparse(Self::MEMBER);
+    /// Whether the block of a run is the one that holds the run's elements of this member.
+    const OF_LOOP: bool = H::LOOP && S::BRANCH == Map::<R, L, X>::branch(Self::MEMBER);
     /// The branch that the path's member stands in.
     const CHAIN: &'static Chain = Map::<R, L, X>::chain(Self::MEMBER);
     const STRIDE: usize = Map::<R, L, X>::stride(Self::MEMBER);
@@ -124,7 +145,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
         };
         let (start, place) = (handle.root.wrapping_add(from), run.inner[S::AXIS] as i64);
         let (block, brick) = ([0; MAX_AXES], Cell::new(core::ptr::null_mut()));
-        Self { handle, site, start, offset, place, fits: run.fits, block, brick, active: false, types: PhantomData }
+        Self { handle, site, start, offset, place, fits: run.fits, block, brick, types: PhantomData }
     }
 
     /// The same in a sparse branch, whose blocks are arranged as those of the loop's field. The block is looked up once for the run.
@@ -143,10 +164,16 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
                 Map::<R, L, X>::inner(Self::MEMBER, a, place as usize)
             },
         ));
-        let active = core::ptr::eq(run.root, handle.root) && offset == [0; MAX_AXES];
+        assert!(!Self::OF_LOOP || core::ptr::eq(run.root, handle.root), "the loop runs over this field");
+        let still = (offset[0] | offset[1] | offset[2] | offset[3]) == 0;
+        let same = still
+            || crate::axes::all::<X>(
+                #[inline(always)]
+                |a| block[a] == run.block[a] as u32,
+            );
         let brick = if !run.fits {
             core::ptr::null_mut()
-        } else if active {
+        } else if Self::OF_LOOP && same {
             run.brick
         } else {
             handle.brick(Self::MEMBER, &block)
@@ -160,7 +187,6 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
             fits: run.fits,
             block,
             brick: Cell::new(brick),
-            active,
             types: PhantomData,
         }
     }
@@ -200,9 +226,6 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
     /// Makes a cell active that the loop does not run over (sparse branches).
     #[inline(always)]
     fn activate(&self, cell: &RunCell<'_, S>) {
-        if self.active || !self.fits || self.offset != [0; MAX_AXES] {
-            return;
-        }
         let (block, along, _) = self.block_of(cell);
         let inner = per_axis(
             #[inline(always)]
@@ -325,10 +348,11 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
             // SAFETY: `checked` returns places within the shape; the caller has the element.
             return unsafe { self.handle.write::<P>(at, value) };
         }
-        if const { Self::SPARSE } {
+        if const { Self::SPARSE && !Self::OF_LOOP } {
             self.activate(cell);
         }
         if Self::INTERLEAVED {
+            // With AVX-512 the stores would be scattered, at several times the cost of scalar ones.
             stay_scalar();
         }
         // SAFETY: as in `get`.
@@ -344,28 +368,17 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Line<'a, R, L, 
     }
 }
 
-/// Keeps the compiler from making a vector loop around a store that it would have to scatter: with AVX-512 it does, at
-/// several times the cost of scalar stores.
-#[inline(always)]
-fn stay_scalar() {
-    #[cfg(all(target_arch = "x86_64", not(miri)))]
-    // SAFETY: no instruction at all.
-    unsafe {
-        core::arch::asm!("", options(nomem, nostack, preserves_flags));
-    }
-}
-
 /// Reads a path at the elements of a run, moved by a constant offset. Nothing in the loop writes it.
 #[doc(hidden)]
-pub struct Row<'a, R, L, X, P, S>(Line<'a, R, L, X, P, S>);
+pub struct Row<'a, R, L, X, P, S, H>(Line<'a, R, L, X, P, S, H>);
 
-impl<R, L, X, P, S> core::fmt::Debug for Row<'_, R, L, X, P, S> {
+impl<R, L, X, P, S, H> core::fmt::Debug for Row<'_, R, L, X, P, S, H> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(f, "Row of `{}`", self.0.site.field)
     }
 }
 
-impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Row<'a, R, L, X, P, S> {
+impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Row<'a, R, L, X, P, S, H> {
     #[inline(always)]
     pub(super) fn new(
         handle: Handle<'a, R, L, X>,
@@ -389,15 +402,15 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Row<'a, R, L, X
 
 /// Reads and writes a path at a run's own elements, which no other iteration touches.
 #[doc(hidden)]
-pub struct Own<'a, R, L, X, P, S>(Line<'a, R, L, X, P, S>);
+pub struct Own<'a, R, L, X, P, S, H>(Line<'a, R, L, X, P, S, H>);
 
-impl<R, L, X, P, S> core::fmt::Debug for Own<'_, R, L, X, P, S> {
+impl<R, L, X, P, S, H> core::fmt::Debug for Own<'_, R, L, X, P, S, H> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(f, "Own of `{}`", self.0.site.field)
     }
 }
 
-impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Own<'a, R, L, X, P, S> {
+impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Own<'a, R, L, X, P, S, H> {
     #[inline(always)]
     pub(super) fn new(handle: Handle<'a, R, L, X>, site: &'static Site, run: &Run<'_, S>) -> Self {
         Self(Line::new(handle, site, run, [0; MAX_AXES]))
@@ -465,32 +478,22 @@ type List<R, P> = <<P as Path<R>>::Value as Record>::Elements;
 
 /// As [`Own`]; what is written to whole runs of blocks waits in a buffer for [`flush`](Held::flush).
 #[doc(hidden)]
-pub struct Held<'a, 'b, R: Record, L, X, P: Path<R>, S> {
-    line: Line<'a, R, L, X, P, S>,
+pub struct Held<'a, 'b, R: Record, L, X, P: Path<R>, S, H> {
+    line: Line<'a, R, L, X, P, S, H>,
     buffer: &'b Buffer<List<R, P>>,
 }
 
-impl<R: Record, L, X, P: Path<R>, S> core::fmt::Debug for Held<'_, '_, R, L, X, P, S> {
+impl<R: Record, L, X, P: Path<R>, S, H> core::fmt::Debug for Held<'_, '_, R, L, X, P, S, H> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(f, "Held of `{}`", self.line.site.field)
     }
 }
 
-impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b, R, L, X, P, S> {
+impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Held<'a, 'b, R, L, X, P, S, H> {
     /// Whether whole runs are held back.
-    const HOLDS: bool = S::RUN > 0 && S::RUN <= HELD && matches!(Line::<'static, R, L, X, P, S>::KIND, Kind::Blocks);
-    /// Whether a run's values lie one after another, as their lists do in an array.
-    const DENSE: bool = {
-        let member = Line::<'static, R, L, X, P, S>::MEMBER;
-        let (seat, spec) = (Map::<R, L, X>::seat(member), R::Elements::MEMBERS[member]);
-        List::<R, P>::PACKED
-            && Map::<R, L, X>::stride(member) == size_of::<List<R, P>>()
-            && spec.components * spec.scalar == size_of::<List<R, P>>()
-            && (!seat.split || spec.components == 1)
-    };
-    /// The bytes of a whole run's values.
-    const BYTES: usize = S::RUN * size_of::<List<R, P>>();
-
+    const HOLDS: bool = S::RUN > 0 && S::RUN <= HELD 
+        && matches!(Line::<'static, R, L, X, P, S, H>::KIND, Kind::Blocks)
+        && (Line::<'static, R, L, X, P, S, H>::OF_LOOP || !Line::<'static, R, L, X, P, S, H>::SPARSE);
     #[inline(always)]
     pub(super) fn new(
         handle: Handle<'a, R, L, X>,
@@ -500,15 +503,9 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b
     ) -> Self {
         let this = Self { line: Line::new(handle, site, run, [0; MAX_AXES]), buffer };
         if this.holds(run) {
-            if Self::DENSE {
-                // SAFETY: a whole run of a loop that `fits`.
-                let from = unsafe { this.line.address(&run.cell(0, true)) }.cast::<MaybeUninit<u8>>();
-                // SAFETY: the run's values lie one after another, as in the buffer, which has room for `RUN` of them.
-                unsafe { from.copy_to_nonoverlapping(buffer.0.get().cast(), Self::BYTES) };
-            } else {
-                for k in 0..S::RUN {
-                    buffer.put(k, this.line.get(&run.cell(k, true)).into_elements());
-                }
+            // One by one: values that are copied as bytes never become registers.
+            for k in 0..S::RUN {
+                buffer.put(k, this.line.get(&run.cell(k, true)).into_elements());
             }
         }
         this
@@ -516,7 +513,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b
 
     #[inline(always)]
     fn holds(&self, run: &Run<'_, S>) -> bool {
-        Self::HOLDS && run.whole && self.line.fits && (self.line.active || const { !Line::<'static, R, L, X, P, S>::SPARSE })
+        Self::HOLDS && run.whole && self.line.fits
     }
 
     /// The value at a cell.
@@ -553,13 +550,6 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space> Held<'a, 'b
     #[inline(always)]
     pub fn flush(&self, run: &Run<'_, S>) {
         if !self.holds(run) {
-            return;
-        }
-        if Self::DENSE {
-            // SAFETY: a whole run of a loop that `fits`.
-            let to = unsafe { self.line.address(&run.cell(0, true)) }.cast::<MaybeUninit<u8>>();
-            // SAFETY: as in `new`; the run's elements are this thread's own.
-            unsafe { to.copy_from_nonoverlapping(self.buffer.0.get().cast(), Self::BYTES) };
             return;
         }
         for k in 0..S::RUN {

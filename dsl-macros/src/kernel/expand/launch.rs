@@ -355,19 +355,23 @@ impl Launch<'_> {
         let (mut views, mut flushes, mut hoists) = (TokenStream::new(), TokenStream::new(), TokenStream::new());
         for (number, planned) in self.plan.views.iter().enumerate() {
             let (name, handle) = (self.view_name(number), handle(&self.kernel.fields[planned.field]));
-            let tag = self.tag(planned.field, &planned.path);
+            let (tag, private) = (self.tag(planned.field, &planned.path), private());
+            let whose = match self.parallel.head.field() == Some(planned.field) {
+                true => quote!(#private::OfLoop),
+                false => quote!(#private::Other),
+            };
             match &planned.view {
-                View::Own if self.plan.light && !self.plan.overlapping.contains(&planned.field) => {
-                    let (buffer, private) = (numbered("buffer", number), private());
+                View::Own if self.holds_back(planned.field) => {
+                    let buffer = numbered("buffer", number);
                     views.extend(
-                        quote!(let #buffer = #private::buffer(); let #name = #handle.held(&#run, #tag, &#buffer);),
+                        quote!(let #buffer = #private::buffer(); let #name = #handle.held(&#run, #tag, &#buffer, #whose);),
                     );
                     flushes.extend(quote!(#name.flush(&#run);));
                 }
-                View::Own => views.extend(quote!(let #name = #handle.own(&#run, #tag);)),
+                View::Own => views.extend(quote!(let #name = #handle.own(&#run, #tag, #whose);)),
                 View::Row(offset) => {
                     let offset = self.offset(offset);
-                    views.extend(quote!(let #name = #handle.row(&#run, #tag, #offset);));
+                    views.extend(quote!(let #name = #handle.row(&#run, #tag, #offset, #whose);));
                 }
                 _ => {}
             }
@@ -391,6 +395,17 @@ impl Launch<'_> {
             quote!(#run.strips(#[inline(always)] |#run| { #strips #each #absorbs });)
         };
         quote!(#views #each #flushes)
+    }
+
+    /// Whether what is written to a field waits until the end of a run: where rows are read from elsewhere, which the compiler cannot tell
+    /// from the written ones.
+    fn holds_back(&self, field: usize) -> bool {
+        let apart = self.plan.views.iter().any(|planned| match &planned.view {
+            View::Row(offset) => planned.field != field || offset.iter().any(|o| *o != 0),
+            View::Own => planned.field != field,
+            _ => false,
+        });
+        self.plan.light && apart && !self.plan.overlapping.contains(&field)
     }
 
     /// Binds the loop's variables.
