@@ -42,10 +42,14 @@ fn saxpy(
                 scatter: ::core::option::Option::None,
                 targets: &[],
                 together: ::core::option::Option::None,
+                ordered: false,
             },
             #[inline(always)]
             |__task| {
-                let (__field_y, __field_x) = (__field_y, __field_x);
+                let __field_y_paths = __field_y.paths();
+                let __field_y = __field_y.of_job(&__field_y_paths);
+                let __field_x_paths = __field_x.paths();
+                let __field_x = __field_x.of_job(&__field_x_paths);
                 let __held_a = ::allotrope::__private::Wrap(&a).hold();
                 let y = ::allotrope::__private::NotAnAccess;
                 let x = ::allotrope::__private::NotAnAccess;
@@ -55,10 +59,20 @@ fn saxpy(
                         #[inline(always)]
                         |__run| {
                             let __v0_x = __field_x
-                                .row(&__run, ::allotrope::__private::Whole, [0]);
+                                .row(
+                                    &__run,
+                                    ::allotrope::__private::Whole,
+                                    [0],
+                                    ::allotrope::__private::Other,
+                                );
                             let __buffer1 = ::allotrope::__private::buffer();
                             let __v1_y = __field_y
-                                .held(&__run, ::allotrope::__private::Whole, &__buffer1);
+                                .held(
+                                    &__run,
+                                    ::allotrope::__private::Whole,
+                                    &__buffer1,
+                                    ::allotrope::__private::OfLoop,
+                                );
                             __run
                                 .each(
                                     [0],
@@ -138,10 +152,14 @@ fn smooth(
                 scatter: ::core::option::Option::None,
                 targets: &[],
                 together: ::core::option::Option::None,
+                ordered: false,
             },
             #[inline(always)]
             |__task| {
-                let (__field_u, __field_v) = (__field_u, __field_v);
+                let __field_u_paths = __field_u.paths();
+                let __field_u = __field_u.of_job(&__field_u_paths);
+                let __field_v_paths = __field_v.paths();
+                let __field_v = __field_v.of_job(&__field_v_paths);
                 let u = ::allotrope::__private::NotAnAccess;
                 let v = ::allotrope::__private::NotAnAccess;
                 let _ = (&u, &v);
@@ -151,12 +169,27 @@ fn smooth(
                         #[inline(always)]
                         |__run| {
                             let __v0_u = __field_u
-                                .row(&__run, ::allotrope::__private::Whole, [-1, 0]);
+                                .row(
+                                    &__run,
+                                    ::allotrope::__private::Whole,
+                                    [-1, 0],
+                                    ::allotrope::__private::Other,
+                                );
                             let __v1_u = __field_u
-                                .row(&__run, ::allotrope::__private::Whole, [0, 1]);
+                                .row(
+                                    &__run,
+                                    ::allotrope::__private::Whole,
+                                    [0, 1],
+                                    ::allotrope::__private::Other,
+                                );
                             let __buffer2 = ::allotrope::__private::buffer();
                             let __v2_v = __field_v
-                                .held(&__run, ::allotrope::__private::Whole, &__buffer2);
+                                .held(
+                                    &__run,
+                                    ::allotrope::__private::Whole,
+                                    &__buffer2,
+                                    ::allotrope::__private::OfLoop,
+                                );
                             __run
                                 .strips(
                                     #[inline(always)]
@@ -262,10 +295,14 @@ fn scatter(
                         ),
                 ],
                 together: ::core::option::Option::None,
+                ordered: false,
             },
             #[inline(always)]
             |__task| {
-                let (__field_points, __field_grid) = (__field_points, __field_grid);
+                let __field_points_paths = __field_points.paths();
+                let __field_points = __field_points.of_job(&__field_points_paths);
+                let __field_grid_paths = __field_grid.paths();
+                let __field_grid = __field_grid.of_job(&__field_grid_paths);
                 let __held_mpm = ::allotrope::__private::Wrap(mpm).hold();
                 let points = ::allotrope::__private::NotAnAccess;
                 let grid = ::allotrope::__private::NotAnAccess;
@@ -277,9 +314,19 @@ fn scatter(
                         #[inline(always)]
                         |__run| {
                             let __v0_points_x = __field_points
-                                .row(&__run, __field_points.tags().x, [0]);
+                                .row(
+                                    &__run,
+                                    __field_points.tags().x,
+                                    [0],
+                                    ::allotrope::__private::OfLoop,
+                                );
                             let __v1_points_m = __field_points
-                                .row(&__run, __field_points.tags().m, [0]);
+                                .row(
+                                    &__run,
+                                    __field_points.tags().m,
+                                    [0],
+                                    ::allotrope::__private::OfLoop,
+                                );
                             __run
                                 .each(
                                     [0],
@@ -291,7 +338,11 @@ fn scatter(
                                         let __h1 = __v1_points_m.get(&__cell);
                                         {
                                             let base = (__held_mpm.get()).base((*(&__h0)));
-                                            match (__field_grid.based(base, [0, 0], [1, 0]),) {
+                                            match (
+                                                __field_grid
+                                                    .of_target(&__task, 0usize)
+                                                    .based(base, [0, 0], [1, 0]),
+                                            ) {
                                                 (::core::option::Option::Some(__b1_0),) => {
                                                     {
                                                         #[allow(unused_variables)]
@@ -485,19 +536,24 @@ fn checked(u: &mut Field<f32, impl ::allotrope::Layout<::allotrope::I>>) {
                     scatter: ::core::option::Option::None,
                     targets: &[],
                     together: ::core::option::Option::None,
+                    ordered: false,
                 },
                 #[inline(always)]
                 |__task| {
-                    let (__field_u,) = (__field_u,);
+                    let __field_u_paths = __field_u.paths();
+                    let __field_u = __field_u.of_job(&__field_u_paths);
                     let u = ::allotrope::__private::NotAnAccess;
                     let _ = (&u,);
                     __task
                         .rows(
                             #[inline(always)]
                             |__run| {
-                                let __buffer0 = ::allotrope::__private::buffer();
                                 let __v0_u = __field_u
-                                    .held(&__run, ::allotrope::__private::Whole, &__buffer0);
+                                    .own(
+                                        &__run,
+                                        ::allotrope::__private::Whole,
+                                        ::allotrope::__private::OfLoop,
+                                    );
                                 __run
                                     .each(
                                         [0],
@@ -519,7 +575,6 @@ fn checked(u: &mut Field<f32, impl ::allotrope::Layout<::allotrope::I>>) {
                                             }
                                         },
                                     );
-                                __v0_u.flush(&__run);
                             },
                         );
                 },
