@@ -135,8 +135,6 @@ codes! {
     Discriminant = A0307,
     /// A word in a layout that is neither node nor place.
     UnknownNode = A0401,
-    /// A word of layouts that this version does not have.
-    LaterNode = A0402,
     /// An axis other than `i j k l`.
     UnknownAxis = A0403,
     /// An axis twice in one node.
@@ -175,6 +173,12 @@ codes! {
     WrongPad = A0420,
     /// A branch that names no members, over other axes, or one too many.
     WrongBranch = A0421,
+    /// `hash` below another node, or with a size.
+    WrongHash = A0422,
+    /// `dynamic` above another node, or along axes that are not its own.
+    WrongList = A0423,
+    /// A list's maximum or chunk that cannot be.
+    WrongMaximum = A0424,
     /// `%` of a number below zero.
     NegativeRemainder = A0501,
     /// `unroll!` that writes a body out very often.

@@ -3,8 +3,8 @@
 use syn::Ident;
 
 use super::model::{
-    AXES, Axis, AxisList, Branch, Group, LONGEST_NAME, Layout, MOST_BRANCHES, MOST_NODES, NAMED, Node, Pad, Place,
-    PlaceKind, Size, Sizes, Step, WIDEST_PAD, WORDS,
+    AXES, Axis, AxisList, Branch, Group, Kind, LONGEST_NAME, Layout, List, MOST_BRANCHES, MOST_NODES, NAMED, Node, Pad,
+    Place, PlaceKind, Size, Sizes, Step, WIDEST_PAD, WORDS,
 };
 use crate::diagnostics::{Code, Diagnostics};
 use crate::nearest::nearest;
@@ -47,11 +47,23 @@ fn check_branches(layout: &Layout, errors: &mut Diagnostics) {
                 .help("name them: `.place([v], [m])`, and their record before the first node");
         }
     }
+    for step in layout.branches.iter().flat_map(|branch| &branch.steps) {
+        if let Step::Node(Node { kind: Kind::Hash, name, .. }) | Step::List(List { name, .. }) = step {
+            errors
+                .error(Code::WrongBranch, name, format!("`{name}` stands in a layout of several branches"))
+                .note("all members of a field have the same indices, and a list's entries are whole records")
+                .help("give these members a field of their own");
+        }
+    }
     let axes = |branch: &Branch| -> Option<Vec<Axis>> {
         let mut axes = Vec::new();
         for step in &branch.steps {
             match step {
-                Step::Node(Node { axes: Some(list), .. }) if list.unknown.is_empty() => axes.extend(&list.axes),
+                Step::Node(Node { axes: Some(list), .. }) | Step::List(List { axes: Some(list), .. })
+                    if list.unknown.is_empty() =>
+                {
+                    axes.extend(&list.axes);
+                }
                 Step::Place(_) | Step::Pad(_) => {}
                 _ => return None,
             }
@@ -135,11 +147,7 @@ fn check_words(branch: &Branch, errors: &mut Diagnostics) {
             }
             Step::Place(place) => check_place(place, errors),
             Step::Pad(pad) => check_pad(pad, branch.steps.get(number + 1), errors),
-            Step::Later(name) => {
-                errors
-                    .error(Code::LaterNode, name, format!("`{name}` is not available in this version"))
-                    .help("write `dense` instead");
-            }
+            Step::List(list) => super::lists::check(list, branch, number, errors),
             Step::Unknown(name) => check_unknown(name, errors),
         }
     }
@@ -156,7 +164,9 @@ fn check_unknown(name: &Ident, errors: &mut Diagnostics) {
     let error = errors.error(Code::UnknownNode, name, format!("there is no node or place `{text}`"));
     match nearest(&text, WORDS) {
         Some(near) => error.help(format!("did you mean `{near}`?")),
-        None => error.help("the nodes are `dense` and `morton`; the places are `aos`, `soa`, `split` and `place`"),
+        None => error.help(
+            "the nodes are `dense`, `morton`, `pointer`, `bitmasked`, `hash` and `dynamic`; the places are `aos`, `soa`, `split` and `place`",
+        ),
     };
 }
 
@@ -169,6 +179,10 @@ fn check_node(node: &Node, outermost: bool, errors: &mut Diagnostics) {
         return;
     };
     check_axes(list, errors);
+    if node.kind == Kind::Hash {
+        check_hash(node, list, outermost, errors);
+        return;
+    }
     if let Some(surplus) = &node.surplus {
         errors
             .error(Code::WrongArguments, surplus, format!("`{name}` takes axes and a size, and no more"))
@@ -176,8 +190,8 @@ fn check_node(node: &Node, outermost: bool, errors: &mut Diagnostics) {
     }
     match &node.sizes {
         Some(sizes) => check_sizes(node, list, sizes, errors),
-        None if outermost && !node.curve => {}
-        None if node.curve => {
+        None if outermost && node.kind != Kind::Morton => {}
+        None if node.kind == Kind::Morton => {
             errors
                 .error(
                     Code::NoSize,
@@ -203,7 +217,27 @@ fn check_node(node: &Node, outermost: bool, errors: &mut Diagnostics) {
     }
 }
 
-fn check_axes(list: &AxisList, errors: &mut Diagnostics) {
+/// `hash` is the root, and has as many cells as are needed.
+fn check_hash(node: &Node, list: &AxisList, outermost: bool, errors: &mut Diagnostics) {
+    let (name, axes) = (&node.name, &list.name);
+    if !outermost {
+        errors
+            .error(Code::WrongHash, name, "`hash` stands below another node, and it finds the cells of the outermost one")
+            .note("it is what makes a field unbounded: below a node with a size there are as many cells as that says")
+            .help(format!("begin the layout with `hash({axes})`, or write `pointer({axes}, 8)` here"));
+    }
+    if let Some(sizes) = &node.sizes {
+        errors
+            .error(Code::WrongHash, &sizes.at, "`hash` takes no size: it has as many cells as are needed")
+            .help(format!("write `hash({axes}).dense({axes}, {})` for blocks of that size", sizes.at));
+    } else if let Some(surplus) = &node.surplus {
+        errors
+            .error(Code::WrongArguments, surplus, "`hash` takes axes, and no more")
+            .help(format!("write `hash({axes})`"));
+    }
+}
+
+pub(super) fn check_axes(list: &AxisList, errors: &mut Diagnostics) {
     if !list.unknown.is_empty() {
         let letters: Vec<String> = list.unknown.iter().map(|letter| format!("`{letter}`")).collect();
         let message = match &letters[..] {
@@ -263,7 +297,7 @@ fn check_sizes(node: &Node, list: &AxisList, sizes: &Sizes, errors: &mut Diagnos
                     .error(Code::WrongSize, literal, "the block is too large, since indices are `i32`")
                     .help("only the outermost node is large, and it has no size: the shape decides");
             }
-            Size::Number(number, literal) if node.curve && !number.is_power_of_two() => {
+            Size::Number(number, literal) if node.kind == Kind::Morton && !number.is_power_of_two() => {
                 let above = number.next_power_of_two();
                 errors
                     .error(
@@ -314,12 +348,14 @@ fn check_axes_used(branch: &Branch, errors: &mut Diagnostics) {
     let mut used: Vec<(Axis, &AxisList)> = Vec::new();
     for step in &branch.steps {
         match step {
-            Step::Node(Node { axes: Some(list), .. }) if list.unknown.is_empty() => {
+            Step::Node(Node { axes: Some(list), .. }) | Step::List(List { axes: Some(list), .. })
+                if list.unknown.is_empty() =>
+            {
                 used.extend(list.axes.iter().map(|axis| (*axis, list)));
             }
             Step::Place(_) | Step::Pad(_) => {}
             // Who knows which axes this was to have.
-            Step::Node(_) | Step::Later(_) | Step::Unknown(_) => return,
+            Step::Node(_) | Step::List(_) | Step::Unknown(_) => return,
         }
     }
     let Some(&(highest, list)) = used.iter().max_by_key(|(axis, _)| *axis) else { return };
@@ -360,7 +396,7 @@ fn check_pad(pad: &Pad, next: Option<&Step>, errors: &mut Diagnostics) {
             .error(Code::WrongArguments, surplus, format!("`{name}` takes a number of bytes, and no more"))
             .help(right);
     }
-    if let Some(next @ (Step::Node(_) | Step::Pad(_) | Step::Later(_))) = next {
+    if let Some(next @ (Step::Node(_) | Step::Pad(_) | Step::List(_))) = next {
         errors
             .error(
                 Code::WrongPad,

@@ -5,7 +5,7 @@ use quote::quote;
 use syn::{Ident, Path};
 
 use super::model::{
-    AXES, Axis, AxisList, Branch, LONGEST_NAME, Layout, Node, Pad, Place, PlaceKind, Placed, Size, Step,
+    AXES, Axis, AxisList, Branch, Kind, LONGEST_NAME, Layout, Node, Pad, Place, PlaceKind, Placed, Size, Step,
 };
 
 /// The type of a layout that has passed every check.
@@ -22,42 +22,49 @@ pub(super) fn expand(layout: &Layout) -> TokenStream {
 }
 
 fn expand_branch(layout: &Layout, branch: &Branch, check: &mut Option<TokenStream>) -> TokenStream {
-    let mut root = None;
-    let mut nodes = Vec::new();
+    let (mut nodes, mut list) = (Vec::new(), None);
     let mut inner = TokenStream::new();
     let mut pad = None;
     for step in &branch.steps {
         match step {
-            Step::Node(node) => {
-                // The outermost node takes as many cells as the shape needs; a size given there groups them.
-                root.get_or_insert_with(|| order(node.axes.as_ref()));
-                if node.sizes.is_some() {
-                    nodes.push(node);
-                }
-            }
+            Step::Node(node) => nodes.push(node),
+            Step::List(found) => list = Some(found),
             Step::Place(found) => inner = place(found, layout, check),
             Step::Pad(found) => pad = Some(found),
-            Step::Later(_) | Step::Unknown(_) => {}
+            Step::Unknown(_) => {}
         }
     }
     if let Some(Pad { bytes: Some(bytes), .. }) = pad {
         let bytes = size(Some(bytes));
         inner = quote!(::allotrope::layout::Padded<#bytes, #inner>);
     }
-    for node in nodes.into_iter().rev() {
-        let order = order(node.axes.as_ref());
-        let [a, b, c, d] = sizes(node);
-        let kind = if node.curve { quote!(Curve) } else { quote!(Dense) };
-        inner = quote!(::allotrope::layout::#kind<#order, #a, #b, #c, #d, #inner>);
-    }
+    // The outermost node takes as many cells as the shape needs; a size given there groups them.
+    let mut root = nodes.first().map_or_else(|| quote!(0x0), |node| order(node.axes.as_ref()));
     if let Some(record) = &layout.record
         && !layout.names_members()
         && !takes_types(record)
     {
         // The name stands for nothing here, but must be a type's.
-        root = Some(quote!({ #[allow(dead_code)] fn is_type(_: #record) {} #root }));
+        root = quote!({ #[allow(dead_code)] fn is_type(_: #record) {} #root });
     }
+    if list.is_some() || nodes.iter().any(|node| node.kind.is_sparse()) {
+        return super::sparse::expand(&root, &nodes, list, inner);
+    }
+    let inner = chain(nodes.iter().copied(), inner);
     quote!(::allotrope::layout::Tree<#root, #inner>)
+}
+
+/// Nodes of constant size, those that have none left out, above what stands below.
+pub(super) fn chain<'a>(nodes: impl DoubleEndedIterator<Item = &'a Node>, below: TokenStream) -> TokenStream {
+    nodes.rev().filter(|node| node.sizes.is_some()).fold(below, |below, node| block(node, &below))
+}
+
+/// A node of constant size above what stands below.
+pub(super) fn block(node: &Node, below: &TokenStream) -> TokenStream {
+    let order = order(node.axes.as_ref());
+    let [a, b, c, d] = sizes(node);
+    let kind = if node.kind == Kind::Morton { quote!(Curve) } else { quote!(Dense) };
+    quote!(::allotrope::layout::#kind<#order, #a, #b, #c, #d, #below>)
 }
 
 /// The type that stands for a layout with errors: it carries them and is a layout, so that they are the only errors.
@@ -66,7 +73,7 @@ pub(super) fn fallback(errors: TokenStream) -> TokenStream {
 }
 
 /// Axes as a number: a hexadecimal digit each, `i` is 1.
-fn order(list: Option<&AxisList>) -> TokenStream {
+pub(super) fn order(list: Option<&AxisList>) -> TokenStream {
     let axes = list.map_or(&[Axis(0)][..], |list| &list.axes);
     let digits: String = axes.iter().map(|axis| char::from(b'1' + axis.0 as u8)).collect();
     let literal: proc_macro2::Literal = format!("0x{digits}").parse().expect("digits are a number");
@@ -81,7 +88,7 @@ fn sizes(node: &Node) -> [TokenStream; AXES.len()] {
     })
 }
 
-fn size(size: Option<&Size>) -> TokenStream {
+pub(super) fn size(size: Option<&Size>) -> TokenStream {
     match size {
         Some(Size::Number(_, literal)) => quote!(#literal),
         Some(Size::Constant(expr)) => quote!({ #expr }),

@@ -2,7 +2,9 @@
 
 mod check;
 mod expand;
+mod lists;
 mod model;
+mod sparse;
 mod parse;
 #[cfg(test)]
 mod tests;

@@ -35,8 +35,7 @@ pub(super) enum Step {
     Node(Node),
     Place(Place),
     Pad(Pad),
-    /// A word that the language has and this version has not.
-    Later(Ident),
+    List(List),
     /// A word that the language has not.
     Unknown(Ident),
 }
@@ -48,20 +47,59 @@ impl Step {
             Self::Node(node) => &node.name,
             Self::Place(place) => &place.name,
             Self::Pad(pad) => &pad.name,
-            Self::Later(name) | Self::Unknown(name) => name,
+            Self::List(list) => &list.name,
+            Self::Unknown(name) => name,
         }
     }
 }
 
-/// A `dense` or `morton` block.
+/// A node but `dynamic`.
 pub(super) struct Node {
     pub(super) name: Ident,
-    /// Whether its cells lie in Z-order: `morton`.
-    pub(super) curve: bool,
+    pub(super) kind: Kind,
     /// `None`: nothing that could be read as axes stands there.
     pub(super) axes: Option<AxisList>,
     pub(super) sizes: Option<Sizes>,
     /// The first argument too many.
+    pub(super) surplus: Option<TokenStream>,
+}
+
+/// What a node does with its cells.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// They are all there.
+    Dense,
+    /// The same in Z-order.
+    Morton,
+    /// They are allocated when they are first written.
+    Pointer,
+    /// They are all there, with an activity bit each.
+    Bitmasked,
+    /// They are found by hashing.
+    Hash,
+}
+
+impl Kind {
+    /// Whether its cells point to what stands below.
+    pub(super) fn points(self) -> bool {
+        matches!(self, Self::Pointer | Self::Hash)
+    }
+
+    /// Whether its cells can be inactive.
+    pub(super) fn is_sparse(self) -> bool {
+        self.points() || self == Self::Bitmasked
+    }
+}
+
+/// A `dynamic` node: lists of entries.
+pub(super) struct List {
+    pub(super) name: Ident,
+    pub(super) axes: Option<AxisList>,
+    /// The most entries of a list.
+    pub(super) most: Option<Size>,
+    /// Entries of a block, `chunk = 32`, and where that stands.
+    pub(super) chunk: Option<(TokenStream, Size)>,
+    /// The first argument that it does not take.
     pub(super) surplus: Option<TokenStream>,
 }
 
@@ -158,7 +196,8 @@ pub(super) const WORDS: [&str; 11] =
     ["dense", "pointer", "bitmasked", "hash", "dynamic", "morton", "aos", "soa", "split", "place", "pad"];
 
 /// Layouts that have names of their own, which stand in a type without `layout!`.
-pub(super) const NAMED: [&str; 6] = ["Aos", "Soa", "Split", "AoSoA<N>", "Blocked<N>", "Morton<N>"];
+pub(super) const NAMED: [&str; 8] =
+    ["Aos", "Soa", "Split", "AoSoA<N>", "Blocked<N>", "Morton<N>", "Sparse<N>", "SparseHash<N>"];
 
 /// The most bytes that starts can be aligned to: a page.
 pub(super) const WIDEST_PAD: u128 = 4096;
@@ -184,9 +223,12 @@ pub(super) fn model(syntax: Syntax) -> Layout {
 
 fn step(word: Word) -> Step {
     let kind = match word.name.to_string().as_str() {
-        "dense" => return Step::Node(node(word, false)),
-        "morton" => return Step::Node(node(word, true)),
-        "pointer" | "bitmasked" | "hash" | "dynamic" => return Step::Later(word.name),
+        "dense" => return Step::Node(node(word, Kind::Dense)),
+        "morton" => return Step::Node(node(word, Kind::Morton)),
+        "pointer" => return Step::Node(node(word, Kind::Pointer)),
+        "bitmasked" => return Step::Node(node(word, Kind::Bitmasked)),
+        "hash" => return Step::Node(node(word, Kind::Hash)),
+        "dynamic" => return Step::List(list(word)),
         "pad" => return Step::Pad(pad(word)),
         "place" => {
             let groups = word.arguments.unwrap_or_default().into_iter().map(group).collect();
@@ -204,12 +246,30 @@ fn step(word: Word) -> Step {
     Step::Place(Place { name: word.name, kind, surplus })
 }
 
-fn node(word: Word, curve: bool) -> Node {
+fn node(word: Word, kind: Kind) -> Node {
     let mut arguments = word.arguments.unwrap_or_default().into_iter();
     let axes = arguments.next().and_then(|argument| name(&argument)).map(|name| axis_list(&name));
     let sizes = arguments.next().map(sizes);
     let surplus = arguments.next().map(Expr::into_token_stream);
-    Node { name: word.name, curve, axes, sizes, surplus }
+    Node { name: word.name, kind, axes, sizes, surplus }
+}
+
+fn list(word: Word) -> List {
+    let mut arguments = word.arguments.unwrap_or_default().into_iter();
+    let axes = arguments.next().and_then(|argument| name(&argument)).map(|name| axis_list(&name));
+    let mut list = List { name: word.name, axes, most: None, chunk: None, surplus: None };
+    for argument in arguments {
+        let at = argument.to_token_stream();
+        match argument {
+            Expr::Assign(named) if list.chunk.is_none() && name(&named.left).is_some_and(|name| name == "chunk") => {
+                list.chunk = Some((at, size(*named.right)));
+            }
+            Expr::Assign(_) => list.surplus = list.surplus.or(Some(at)),
+            argument if list.most.is_none() && list.chunk.is_none() => list.most = Some(size(argument)),
+            _ => list.surplus = list.surplus.or(Some(at)),
+        }
+    }
+    list
 }
 
 fn pad(word: Word) -> Pad {

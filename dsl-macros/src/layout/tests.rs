@@ -153,10 +153,6 @@ fn words() {
     assert!(message(quote!(dense(ij).sao)).contains("did you mean `soa`?"));
     assert!(message(quote!(AoSoA(16))).contains("write `AoSoA<N>` alone"));
     assert!(message(quote!(dense(ij).interleaved)).contains("the places are"));
-    assert_eq!(codes(quote!(pointer(ij, 16).dense(ij, 8).aos)), [Code::LaterNode]);
-    assert_eq!(codes(quote!(hash(ijk).bitmasked(ijk, 8).pad(64).soa)), [Code::LaterNode; 2]);
-    assert_eq!(codes(quote!(dense(i).dynamic(j, 1024, chunk = 32).aos)), [Code::LaterNode]);
-    assert_eq!(codes(quote!(Node: dense(ij).place([v]) + hash(ij).place([m]))), [Code::LaterNode]);
 }
 
 #[test]
@@ -290,4 +286,65 @@ fn padding() {
     assert_eq!(codes(quote!(dense(ij).aos.pad(64))), [Code::AfterPlace]);
     assert_eq!(codes(quote!(dense(ij).pad(64))), [Code::NoPlace]);
     assert_eq!(codes(quote!(pad(64).aos)), [Code::NoNode]);
+}
+
+#[test]
+fn sparse_chains_are_cut_where_cells_point() {
+    let cases = [
+        (quote!(pointer(ij, 16).dense(ij, 8).aos), "Grown<Grid<0x12>,Table<Dense<0x12,16,16,1,1,Entry>,Leaf>,Dense<0x12,8,8,1,1,PlaceAos>>"),
+        (quote!(pointer(ji).aos), "Grown<Grid<0x21>,Table<Entry,Leaf>,Dense<0x21,1,1,1,1,PlaceAos>>"),
+        (
+            quote!(dense(i).pointer(j, 4).pointer(ij, (2, 3)).morton(ij, 4).split),
+            "Grown<Grid<0x1>,Table<Dense<0x2,1,4,1,1,Entry>,Table<Dense<0x12,2,3,1,1,Entry>,Leaf>>,Curve<0x12,4,4,1,1,PlaceSplit>>",
+        ),
+        (quote!(hash(ijk).bitmasked(ijk, 8).soa), "Grown<Hash<0x123>,Leaf,Masked<Dense<0x123,8,8,8,1,PlaceSoa>>>"),
+        (quote!(hash(ij).pad(64).aos), "Grown<Hash<0x12>,Leaf,Dense<0x12,1,1,1,1,Padded<64,PlaceAos>>>"),
+        (quote!(bitmasked(ij).aos), "Grown<Grid<0x12>,Leaf,Masked<Dense<0x12,1,64,1,1,PlaceAos>>>"),
+        (
+            quote!(bitmasked(ij, 4).bitmasked(ij, 2).dense(ij, 8).aos),
+            "Grown<Grid<0x12>,Leaf,Dense<0x12,4,4,1,1,Masked<Dense<0x12,2,2,1,1,Dense<0x12,8,8,1,1,PlaceAos>>>>>",
+        ),
+        (
+            quote!(bitmasked(ij, 4).pointer(ij, 2).aos),
+            "Grown<Grid<0x12>,Table<Dense<0x12,4,4,1,1,Dense<0x12,2,2,1,1,Entry>>,Leaf>,Dense<0x12,1,1,1,1,PlaceAos>>",
+        ),
+        (quote!(dense(i).dynamic(j, 128).aos), "Listed<::allotrope::Ij,Grid<0x1>,List<Entry,0x2,128,0>,Dense<0x2,1,128,1,1,PlaceAos>>"),
+        (quote!(dynamic(i, 1000, chunk = 32).soa), "Listed<::allotrope::I,Grid<0x0>,List<Entry,0x1,1000,32>,Dense<0x1,32,1,1,1,PlaceSoa>>"),
+        (
+            quote!(pointer(ij, 8).dense(ij, 4).dynamic(k, MOST).aos),
+            "Listed<::allotrope::Ijk,Grid<0x12>,Table<Dense<0x12,8,8,1,1,Entry>,List<Dense<0x12,4,4,1,1,Entry>,0x3,{MOST},0>>,Dense<0x3,1,1,{MOST},1,PlaceAos>>",
+        ),
+        (quote!(hash(ij).dynamic(k, 64).aos), "Listed<::allotrope::Ijk,Hash<0x12>,List<Entry,0x3,64,0>,Dense<0x3,1,1,64,1,PlaceAos>>"),
+    ];
+    for (layout, expected) in cases {
+        assert_eq!(codes(layout.clone()), [], "{layout}");
+        assert_eq!(short(layout), expected);
+    }
+}
+
+#[test]
+fn sparse_nodes_in_wrong_places() {
+    assert_eq!(codes(quote!(dense(ij).hash(ij).aos)), [Code::WrongHash]);
+    assert_eq!(codes(quote!(hash(ij, 8).aos)), [Code::WrongHash]);
+    assert_eq!(codes(quote!(hash(ij, 8, 8).aos)), [Code::WrongHash]);
+    assert_eq!(codes(quote!(hash.aos)), [Code::WrongArguments]);
+    assert_eq!(codes(quote!(hash(ij).pointer(ij).aos)), [Code::NoSize]);
+    assert_eq!(codes(quote!(hash(ij).bitmasked(ij).aos)), [Code::NoSize]);
+    assert_eq!(codes(quote!(pointer(ij).dense(ij).aos)), [Code::NoSize]);
+    assert_eq!(codes(quote!(dense(i).dynamic(j).aos)), [Code::WrongMaximum]);
+    assert_eq!(codes(quote!(dense(i).dynamic(j, 0).aos)), [Code::WrongMaximum]);
+    assert_eq!(codes(quote!(dense(i).dynamic(j, 2147483648).aos)), [Code::WrongMaximum]);
+    assert_eq!(codes(quote!(dense(i).dynamic(j, 64, chunk = 65).aos)), [Code::WrongMaximum]);
+    assert_eq!(codes(quote!(dense(i).dynamic(j, 64, chunk = 0).aos)), [Code::WrongMaximum]);
+    assert_eq!(codes(quote!(dense(i).dynamic(j, 64, chunk = 64).aos)), []);
+    assert_eq!(codes(quote!(dense(i).dynamic(j, 64, 8).aos)), [Code::WrongArguments]);
+    assert_eq!(codes(quote!(dense(i).dynamic(j, 64, block = 8).aos)), [Code::WrongArguments]);
+    assert_eq!(codes(quote!(dense(i).dynamic(j, chunk = 8).aos)), [Code::WrongMaximum]);
+    assert_eq!(codes(quote!(dense(i).dynamic().aos)), [Code::WrongArguments, Code::WrongMaximum]);
+    assert_eq!(codes(quote!(dense(i).dynamic(jk, 64).aos)), [Code::WrongList]);
+    assert_eq!(codes(quote!(dense(i).dynamic(i, 64).aos)), [Code::WrongList]);
+    assert_eq!(codes(quote!(dense(i).dynamic(j, 64).dense(k, 8).aos)), [Code::WrongList]);
+    assert_eq!(codes(quote!(dense(i).dynamic(k, 64).aos)), [Code::MissingAxis]);
+    assert_eq!(codes(quote!(Node: dense(ij).place([v]) + hash(ij).place([m]))), [Code::WrongBranch]);
+    assert_eq!(codes(quote!(Node: dense(ij).place([v]) + pointer(ij).dense(ij, 8).place([m]))), []);
 }

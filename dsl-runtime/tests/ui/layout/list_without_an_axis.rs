@@ -1,0 +1,6 @@
+//! A list without an axis.
+use allotrope::prelude::*;
+
+type Wrong = layout!(dense(i).dynamic().aos);
+
+fn main() {}
