@@ -51,8 +51,8 @@ codes! {
     LoopRange = A0111,
     /// A pattern of a parallel loop that is neither a name nor a tuple of names.
     LoopPattern = A0112,
-    /// A loop head of the language that is not available yet.
-    UnavailableHead = A0113,
+    /// `for q in f.row(index)` as an outermost loop.
+    RowHead = A0113,
     /// `#[scatter(..)]` that names no schedule, or not on a parallel loop.
     ScatterAttribute = A0115,
     /// `break`, `return`, `?` or `.await` out of a parallel loop.
@@ -99,8 +99,8 @@ codes! {
     Alias = A0213,
     /// A field or a member handed on whole inside a parallel loop.
     HandedOn = A0214,
-    /// A method of the language that is not available yet.
-    UnavailableMethod = A0215,
+    /// An entry of a list appended to, or removed from, a member.
+    MemberAppend = A0215,
     /// A method of a field that cannot be called inside a parallel loop.
     FieldMethod = A0216,
     /// A reduction that is read in the loop that accumulates into it.
@@ -119,6 +119,10 @@ codes! {
     OldValueBeside = A0224,
     /// `fetch_add` and its like of a part of an element, or with other arguments.
     OldValueForm = A0225,
+    /// An access beside `append` that could be at the entry that is being appended.
+    AppendBeside = A0226,
+    /// Activity that is asked for at an index where other iterations change it.
+    ActivityBeside = A0227,
     /// An enum or a union as a record.
     NotAStruct = A0301,
     /// A record whose members have no names.

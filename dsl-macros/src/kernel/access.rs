@@ -348,7 +348,7 @@ pub(crate) fn plan(kernel: &Kernel, number: usize) -> Plan {
         views: Vec::new(),
         view_of: BTreeMap::new(),
         fields: BTreeMap::new(),
-        light: !parallel.loops,
+        light: !parallel.loops && parallel.topology.is_empty(),
         overlapping: Vec::new(),
         reach: BTreeMap::new(),
         boxes: Vec::new(),
@@ -358,6 +358,9 @@ pub(crate) fn plan(kernel: &Kernel, number: usize) -> Plan {
     };
     for field in &parallel.shapes {
         plan.fields.insert(*field, false);
+    }
+    for topology in &parallel.topology {
+        *plan.fields.entry(topology.field).or_default() |= topology.call.changes();
     }
     for (field, changes) in &parallel.unchecked {
         *plan.fields.entry(*field).or_default() |= changes;

@@ -26,7 +26,7 @@ const SHOW: &str = "ALLOTROPE_EXPAND";
 fn rejected(item: TokenStream, diagnostics: Diagnostics) -> TokenStream {
     let errors = diagnostics.into_compile_errors();
     if let Ok(mut method) = syn::parse2::<syn::TraitItemFn>(item.clone()) {
-        expand::signature::open_layouts(&mut method.sig);
+        expand::signature::open_layouts(&mut method.sig, |_| false);
         quote!(#errors #method)
     } else if syn::parse2::<syn::Item>(item.clone()).is_ok() {
         quote!(#errors #item)

@@ -35,6 +35,8 @@ pub(crate) struct Kernel {
     pub(crate) mutable: BTreeSet<String>,
     /// What the rules must judge and the tree cannot show.
     pub(crate) findings: Vec<Finding>,
+    /// Fields whose lists are used.
+    pub(crate) listed: BTreeSet<usize>,
     /// Fields that are used as a whole at the top level: what happens to them there is not known.
     pub(crate) handed_on: BTreeSet<usize>,
     /// What may be a mistake, though it compiles.
@@ -123,6 +125,8 @@ pub(crate) enum Node {
     FieldCall(FieldCall),
     /// `f.get_unchecked(index)` or `f.set_unchecked(index, value)`.
     Unchecked(Box<UncheckedAccess>),
+    /// `f.append(index, record)` and its like: in a parallel loop, by its place in [`Loop::topology`], or outside.
+    Topology(Box<Topology>),
     /// An accumulation into a variable of the top level.
     Reduce(Reduce),
     /// A `break` or `continue` of a parallel or unrolled loop.
@@ -185,6 +189,7 @@ pub(crate) enum Boundary {
 }
 
 /// Where an index lies as seen from an iteration.
+#[derive(Clone)]
 pub(crate) enum Place {
     /// The iteration's own index.
     Own,
@@ -224,6 +229,64 @@ pub(crate) enum Action {
         method: Ident,
         arguments: Vec<Expr>,
     },
+}
+
+/// A call that asks which elements of a field are active, or changes it.
+#[derive(Clone)]
+pub(crate) struct Topology {
+    pub(crate) field: usize,
+    /// The member of the branch that is meant; empty for the whole field.
+    pub(crate) path: Vec<Ident>,
+    pub(crate) call: Call,
+    pub(crate) method: Ident,
+    pub(crate) arguments: Vec<Expr>,
+    /// Where the first argument lies as seen from the parallel loop around.
+    pub(crate) place: Place,
+    /// The whole call.
+    pub(crate) spot: Spot,
+}
+
+/// What a call does to the activity of a field, or asks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Call {
+    /// `append` and `try_append`: puts a record behind the last of a list.
+    Append,
+    /// `remove`: takes an entry out of its list, when the loop ends.
+    Remove,
+    /// `activate`.
+    Activate,
+    /// `deactivate`: when the loop ends.
+    Deactivate,
+    /// `is_active`.
+    IsActive,
+    /// `len(index)` and `row_len(index)`: the number of a list's entries.
+    RowLen,
+    /// `for q in f.row(index)`.
+    Row,
+    /// `for q in f` in a parallel loop: all active elements.
+    All,
+}
+
+impl Call {
+    /// Whether it changes the field.
+    pub(crate) fn changes(self) -> bool {
+        matches!(self, Self::Append | Self::Remove | Self::Activate | Self::Deactivate)
+    }
+
+    /// Whether elements become active while the loop runs.
+    pub(crate) fn activates(self) -> bool {
+        matches!(self, Self::Append | Self::Activate)
+    }
+
+    /// Whether what happens waits for the end of the loop.
+    pub(crate) fn is_deferred(self) -> bool {
+        matches!(self, Self::Remove | Self::Deactivate)
+    }
+
+    /// Whether it is of the lists of a layout.
+    pub(crate) fn is_of_lists(self) -> bool {
+        matches!(self, Self::Append | Self::Remove | Self::RowLen | Self::Row)
+    }
 }
 
 /// One step from an element to a part of it.
@@ -314,6 +377,8 @@ pub(crate) struct Loop {
     /// `for .. in ..`, for messages.
     pub(crate) spot: Spot,
     pub(crate) accesses: Vec<usize>,
+    /// What it asks of fields' activity and does to it.
+    pub(crate) topology: Vec<Topology>,
     pub(crate) reductions: Vec<Reduction>,
     /// Variables from outside that the body reads, each once, and where.
     pub(crate) captures: Vec<Capture>,
@@ -350,6 +415,8 @@ pub(crate) enum Head {
     Interior { branch: Branch, width: Box<Expr> },
     /// Those elements of a head over a field that a sieve lets through.
     Sifted { base: Box<Head>, sieve: Sieve },
+    /// `for q in f.row(index)`, in a serial loop.
+    Row { field: usize, index: Box<Expr> },
     /// `for i in a..b`, or several ranges in `ndrange!`.
     Ranges(Vec<(Expr, Expr)>),
     /// None of these: a finding tells why.
@@ -362,7 +429,7 @@ impl Head {
         match self {
             Head::Field(branch) | Head::Interior { branch, .. } => Some(branch.field),
             Head::Sifted { base, .. } => base.field(),
-            Head::Ranges(_) | Head::Invalid => None,
+            Head::Row { .. } | Head::Ranges(_) | Head::Invalid => None,
         }
     }
 
@@ -370,7 +437,7 @@ impl Head {
     pub(crate) fn is_checkerboard(&self) -> bool {
         match self {
             Head::Sifted { base, sieve } => matches!(sieve, Sieve::Checkerboard(_)) || base.is_checkerboard(),
-            Head::Field(_) | Head::Interior { .. } | Head::Ranges(_) | Head::Invalid => false,
+            Head::Field(_) | Head::Interior { .. } | Head::Row { .. } | Head::Ranges(_) | Head::Invalid => false,
         }
     }
 
@@ -384,7 +451,7 @@ impl Head {
         match self {
             Head::Interior { width, .. } => Some(width),
             Head::Sifted { base, .. } => base.left_out(),
-            Head::Field(_) | Head::Ranges(_) | Head::Invalid => None,
+            Head::Field(_) | Head::Row { .. } | Head::Ranges(_) | Head::Invalid => None,
         }
     }
 }
@@ -528,8 +595,12 @@ pub(crate) enum What {
     InclusiveRange { start: String, end: String },
     /// `a..` or `..b`.
     OpenRange,
-    /// A head that is not available yet.
-    LaterHead { name: String },
+    /// `for q in f.row(index)` as an outermost loop.
+    RowHead,
+    /// A call of lists or of activity with more or fewer arguments than it takes.
+    TopologyArguments { field: String, name: String, takes: &'static str, example: &'static str },
+    /// `f.m.append(..)`: a list's entries are whole records.
+    MemberAppend { field: usize, name: String },
     /// `for p in f.m`.
     MemberHead,
     /// `unroll!` as the head of an outermost loop.
@@ -563,7 +634,7 @@ pub(crate) enum What {
     /// A field or member borrowed for a function inside a parallel loop.
     Argument { function: String },
     /// A method of a field inside a parallel loop.
-    FieldMethod { field: usize, name: String, later: bool },
+    FieldMethod { field: usize, name: String },
     /// `f.clamped`, `f.wrapped` or `f.or` with more or fewer arguments than it takes.
     BoundaryArguments { field: String, name: String },
     /// `fetch_add` and its like of a component, or with more or fewer arguments than it takes.

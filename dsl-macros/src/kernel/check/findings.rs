@@ -48,25 +48,30 @@ fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
                 .note("a function that reads a member takes it by value, as `Read<f32, _>`, and is marked `#[func]`")
                 .help(format!("write `{}`; or read the values first and hand those on: `{0}[..]`", bare(&text)));
         }
-        What::FieldMethod { field, name, later } => {
+        What::FieldMethod { field, name } => {
             let field = &kernel.fields[*field].name;
-            if *later {
-                let message = format!("`{name}` on a field is not available in this version");
-                let error = diagnostics.error(Code::UnavailableMethod, at, message);
-                if !name.ends_with("_unchecked") {
-                    error
-                        .note("a field of this version has all of its elements, always")
-                        .help("give the record a member that says whether an element is in use, and test that")
-                        .help("for a list, take places from a counter, in a loop with `#[relaxed]`: `list[count[()].fetch_add(1)] = ..`");
-                }
-            } else {
-                diagnostics
-                    .error(Code::FieldMethod, at, format!("`{field}.{name}` cannot be called inside a parallel loop"))
-                    .note("the loop holds the field until it ends")
-                    .help(format!(
-                        "call it before or after the loop; inside, elements are read and written as `{field}[..]`"
-                    ));
-            }
+            let error = diagnostics
+                .error(Code::FieldMethod, at, format!("`{field}.{name}` cannot be called inside a parallel loop"))
+                .note("the loop holds the field until it ends");
+            let instead = match name.as_str() {
+                "clear" | "prune" => format!("call it before or after the loop; inside, `{field}.deactivate(..)` is for single elements"),
+                "retain" | "truncate" => format!("call it before or after the loop; inside, `{field}.remove(..)` is for single entries"),
+                "row" => format!("write `for q in {field}.row(..)`, which is what loops take"),
+                _ => format!("call it before or after the loop; inside, elements are read and written as `{field}[..]`"),
+            };
+            error.help(instead);
+        }
+        What::TopologyArguments { field, name, takes, example } => {
+            diagnostics
+                .error(Code::IndexCount, at, format!("`{field}.{name}` takes {takes}"))
+                .note("an index over several axes is one tuple or one vector; that of a list leaves out the entries' axis")
+                .help(format!("write `{field}.{name}({example})`"));
+        }
+        What::MemberAppend { field, name } => {
+            let field = &kernel.fields[*field].name;
+            diagnostics
+                .error(Code::MemberAppend, at, format!("`{text}` names a member, and the entries of lists are whole records"))
+                .help(format!("write `{field}.{name}(..)`"));
         }
         What::BoundaryArguments { field, name } => {
             let (takes, example) = match name.as_str() {

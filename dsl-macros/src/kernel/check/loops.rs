@@ -20,10 +20,11 @@ pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
                 .error(Code::LoopRange, at, format!("the range `{text}` has no start or no end"))
                 .help("write both: `0..n`");
         }
-        What::LaterHead { name } => {
+        What::RowHead => {
             diagnostics
-                .error(Code::UnavailableHead, at, format!("a loop over `{name}` is not available in this version"))
-                .help("loop over the field, its `interior(width)` or an `ndrange!`, and test the index inside");
+                .error(Code::RowHead, at, format!("a loop over `{text}` is a serial one, inside of another"))
+                .note("an outermost `for` is one parallel launch, and a list has one order")
+                .help("loop over the lists, and over the entries of each inside; or write `#[serial]` before the loop");
         }
         What::MemberHead => {
             diagnostics

@@ -7,6 +7,7 @@ mod loops;
 mod names;
 mod races;
 mod signature;
+mod topology;
 mod variables;
 
 use super::model::Kernel;
@@ -19,5 +20,6 @@ pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
     names::check(kernel, diagnostics);
     indices::check(kernel, diagnostics);
     races::check(kernel, diagnostics);
+    topology::check(kernel, diagnostics);
     lints::check(kernel, diagnostics);
 }

@@ -10,7 +10,7 @@ use super::names::{self, Ends, handle, hidden, label, numbered, paths, plain, pr
 use super::rewrite::{Rewrite, Scope};
 use super::{captures, reductions};
 use crate::kernel::access::{Plan, View, plan};
-use crate::kernel::model::{Boundary, Branch, Capture, Group, Head, Kernel, Loop, Sieve};
+use crate::kernel::model::{Boundary, Branch, Call, Capture, Group, Head, Kernel, Loop, Sieve};
 
 /// A loop under expansion.
 pub(super) struct Launch<'a> {
@@ -70,7 +70,7 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
     let options = launch.options();
     let entry = if always_fits && launch.plan.targets.is_empty() { quote!(launch_own) } else { quote!(launch) };
     let copies = launch.copies();
-    let hide = launch.hide_fields();
+    let (hide, settles) = (launch.hide_fields(), launch.settles());
     let any_views = launch.any_views();
     let rows = if launch.plan.light { quote!(rows) } else { quote!(runs) };
     let body = launch.run(&pieces);
@@ -102,6 +102,7 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
                 #task.#rows(#[inline(always)] |#run| { #body });
                 #result
             });
+            #settles
             #combine
         }
     };
@@ -181,7 +182,7 @@ impl Launch<'_> {
                 let local = hidden("range");
                 (quote!(let #local = #private::range((#(#ranges)*));), quote!(#local))
             }
-            Head::Invalid => unreachable!("a kernel with an invalid head is not expanded"),
+            Head::Row { .. } | Head::Invalid => unreachable!("a kernel with an invalid head is not expanded"),
         }
     }
 
@@ -288,9 +289,10 @@ impl Launch<'_> {
             [] => quote!(::core::option::Option::None),
             together => quote!(::core::option::Option::Some(#(#together)&&*)),
         };
+        let ordered = self.parallel.topology.iter().any(|topology| topology.call == Call::Append);
         quote! {
             #private::Options {
-                kernel: #kernel, fits: #fits, heavy: #heavy, scatter: #scatter, targets: &[#(#targets),*], together: #together, ordered: false
+                kernel: #kernel, fits: #fits, heavy: #heavy, scatter: #scatter, targets: &[#(#targets),*], together: #together, ordered: #ordered
             }
         }
     }

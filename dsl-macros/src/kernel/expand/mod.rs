@@ -8,6 +8,7 @@ pub(super) mod names;
 mod reductions;
 mod rewrite;
 pub(super) mod signature;
+mod topology;
 mod unroll;
 mod views;
 
@@ -21,7 +22,8 @@ use super::model::Kernel;
 /// The function that a kernel without errors stands for. `first` are statements that come first.
 pub(super) fn expand(kernel: &Kernel, first: TokenStream) -> TokenStream {
     let mut function = kernel.function.clone();
-    signature::open_layouts(&mut function.sig);
+    let listed = |name: &str| kernel.listed.iter().any(|field| kernel.fields[*field].name == name);
+    signature::open_layouts(&mut function.sig, listed);
     let unchecked = kernel.unchecked.then(|| {
         let (unchecked, private) = (names::unchecked(), names::private());
         // What the caller promises concerns indices alone: an unsafe operation of the body needs a block of its own.
@@ -44,7 +46,7 @@ pub(super) fn in_refused(kernel: &Kernel) -> TokenStream {
 
 /// A function of the same type that does nothing, for a kernel with errors: so that its callers have none.
 pub(super) fn fallback(mut function: ItemFn, unchecked: bool) -> TokenStream {
-    signature::open_layouts(&mut function.sig);
+    signature::open_layouts(&mut function.sig, |_| false);
     for input in &mut function.sig.inputs {
         if let FnArg::Typed(parameter) = input
             && let Pat::Ident(name) = &mut *parameter.pat

@@ -66,6 +66,7 @@ impl Rewrite<'_> {
             (Node::Access(access), Scope::Parallel(launch)) => views::access(self, launch, node, access),
             (Node::Unchecked(access), Scope::Host) => host::unchecked_access(self, access),
             (Node::Unchecked(access), Scope::Parallel(launch)) => views::unchecked_access(self, launch, access),
+            (Node::Topology(call), _) => super::topology::call(self, call),
             (Node::Launch(number), _) => launch::launch(self.kernel, *number),
             (Node::Indices(indices), _) => self.indices(&indices.head, indices),
             (Node::Unroll(repeat), _) => unroll::unroll(self, node, repeat),
@@ -99,6 +100,16 @@ impl Rewrite<'_> {
         };
         let whole = if indices.tuple { "index_tuples" } else { "indices" };
         match (head, indices.parallel) {
+            (Head::Row { field, index }, parallel) => {
+                let (field, index) = (&self.kernel.fields[*field], self.expr(index));
+                let (handle, name) = (super::names::handle(field), &field.name);
+                match (parallel, indices.tuple) {
+                    (Some(_), false) => quote!(#handle.entries(#index)),
+                    (Some(_), true) => quote!(#handle.entry_tuples(#index)),
+                    (None, false) => quote!(#private::row(&*#name, #index)),
+                    (None, true) => quote!(#private::row_tuples(&*#name, #index)),
+                }
+            }
             (Head::Ranges(ranges), _) => {
                 let ranges = ranges.iter().map(|(start, end)| {
                     let (start, end) = (self.expr(start), self.expr(end));

@@ -11,8 +11,8 @@ use crate::kernel::model::{FieldParam, Kernel, Storage};
 use crate::kernel::parse::is_marked;
 use crate::kernel::syntax::{bare_type, last_segment, type_arguments};
 
-/// Opens every `_` that stands for a field's layout, and every member's record.
-pub(crate) fn open_layouts(signature: &mut Signature) {
+/// Opens every `_` that stands for a field's layout, and every member's record. `listed` tells which parameters' layouts have lists.
+pub(crate) fn open_layouts(signature: &mut Signature, listed: impl Fn(&str) -> bool) {
     for input in &mut signature.inputs {
         if let FnArg::Typed(parameter) = input {
             let marked = is_marked(parameter);
@@ -21,7 +21,8 @@ pub(crate) fn open_layouts(signature: &mut Signature) {
                 Type::Reference(reference) => (true, reference.mutability.is_some()),
                 _ => (false, false),
             };
-            OpenLayouts { referring, changed, marked }.visit_type_mut(&mut parameter.ty);
+            let listed = matches!(&*parameter.pat, syn::Pat::Ident(name) if listed(&name.ident.to_string()));
+            OpenLayouts { referring, changed, marked, listed }.visit_type_mut(&mut parameter.ty);
         }
     }
 }
@@ -47,6 +48,8 @@ struct OpenLayouts {
     changed: bool,
     /// Whether it bears `#[field]`.
     marked: bool,
+    /// Whether its lists are used.
+    listed: bool,
 }
 
 impl OpenLayouts {
@@ -105,7 +108,10 @@ impl VisitMut for OpenLayouts {
         if let Some(GenericArgument::Type(layout)) = arguments.args.get_mut(1)
             && matches!(layout, Type::Infer(_))
         {
-            *layout = Type::Verbatim(quote!(impl ::allotrope::Layout<#axes>));
+            *layout = Type::Verbatim(match self.listed {
+                true => quote!(impl ::allotrope::layout::ListLayout<#axes>),
+                false => quote!(impl ::allotrope::Layout<#axes>),
+            });
         }
     }
 }

@@ -17,9 +17,6 @@ use crate::kernel::model::{
 use crate::kernel::syntax::{bare, compound};
 use crate::kernel::text::text;
 
-/// Methods of fields that the language knows and this version lacks.
-const LATER_FIELD_METHODS: &[&str] = &["append", "try_append", "activate", "deactivate", "is_active", "row"];
-
 /// Methods of elements that return the old value, and how many arguments each takes.
 const EXCHANGES: &[(&str, usize)] = &[
     ("fetch_add", 1),
@@ -72,7 +69,7 @@ impl Lower {
     }
 
     /// Where an index lies as seen from the parallel loop around it.
-    fn place(&self, index: &Expr) -> Place {
+    pub(super) fn place(&self, index: &Expr) -> Place {
         let Some(number) = self.parallel() else { return Place::Computed };
         let parallel = &self.kernel.loops[number];
         Iteration { variables: &parallel.variables, tuple: parallel.tuple, rank: parallel.rank }.place(index)
@@ -292,6 +289,9 @@ impl Lower {
             if matches!(name.as_str(), "get_unchecked" | "set_unchecked") {
                 return self.unchecked_access(expr, base);
             }
+            if self.topology(expr, &base) {
+                return;
+            }
             return self.field_method(expr, base.field, base.path.is_empty(), &name);
         }
         if self.exchange(expr) {
@@ -328,16 +328,13 @@ impl Lower {
     fn field_method(&mut self, expr: &mut Expr, field: usize, whole: bool, name: &str) {
         let Expr::MethodCall(call) = &mut *expr else { return };
         let method = call.method.clone();
-        let later = LATER_FIELD_METHODS.contains(&name);
-        if later {
-            self.find(What::FieldMethod { field, name: name.to_owned(), later }, &method);
-        } else if let Some(number) = self.parallel() {
+        if let Some(number) = self.parallel() {
             if whole && call.args.is_empty() && matches!(name, "len" | "shape" | "origin") {
                 self.kernel.loops[number].shapes.insert(field);
                 *expr = self.node(Node::FieldCall(FieldCall { field, method: method.clone() }), method.span());
                 return;
             }
-            self.find(What::FieldMethod { field, name: name.to_owned(), later }, &method);
+            self.find(What::FieldMethod { field, name: name.to_owned() }, &method);
         } else if whole {
             self.kernel.handed_on.insert(field);
         } else {

@@ -8,12 +8,9 @@ use syn::{Expr, RangeLimits, Token};
 
 use super::Lower;
 use super::targets::Base;
-use crate::kernel::model::{Branch, Head, Sieve, Upon, What};
+use crate::kernel::model::{Branch, Call, Head, Place, Sieve, Spot, Topology, Upon, What};
 use crate::kernel::syntax::{bare, integer};
 use crate::kernel::text::text;
-
-/// Heads that the language knows and this version lacks.
-const LATER_HEADS: &[&str] = &["row"];
 
 /// The methods of fields that name a part of them.
 const PARTS: &[&str] = &["interior", "border", "checkerboard", "colored"];
@@ -60,10 +57,10 @@ impl Lower {
         }
         let Expr::MethodCall(call) = bare(expr) else { return None };
         let name = call.method.to_string();
-        if LATER_HEADS.contains(&name.as_str()) && self.mentions_field(&call.receiver) {
-            self.find(What::LaterHead { name }, &call.method.clone());
-            return Some(Head::Invalid);
+        if let Some(row) = self.row_head(expr, parallel) {
+            return Some(row);
         }
+        let Expr::MethodCall(call) = bare(expr) else { return None };
         let branch = self.head_branch(&call.receiver)?;
         if !matches!(name.as_str(), "interior" | "border") || call.args.len() != 1 {
             if parallel {
@@ -80,6 +77,37 @@ impl Lower {
             "border" => Head::Sifted { base: Box::new(Head::Field(branch)), sieve: Sieve::Border(width) },
             _ => Head::Interior { branch, width },
         })
+    }
+
+    /// `f.row(index)`: a list's entries, in a serial loop.
+    fn row_head(&mut self, expr: &Expr, parallel: bool) -> Option<Head> {
+        let Expr::MethodCall(call) = bare(expr) else { return None };
+        if call.method != "row" {
+            return None;
+        }
+        let Base { field, path } = self.base(&call.receiver)?;
+        let spot = Spot::new(expr);
+        if parallel {
+            self.find(What::RowHead, expr);
+            return Some(Head::Invalid);
+        }
+        if !path.is_empty() {
+            self.find(What::MemberAppend { field, name: "row".to_owned() }, expr);
+            return Some(Head::Invalid);
+        }
+        let mut arguments: Vec<Expr> = call.args.iter().cloned().collect();
+        let place = arguments.first().map_or(Place::Computed, |index| self.place(index));
+        arguments.iter_mut().for_each(|argument| self.visit_expr_mut_free(argument));
+        let [index] = arguments.as_slice() else {
+            let (takes, example) = ("the index of a list", "i");
+            let what = What::TopologyArguments { field: text(&call.receiver), name: "row".to_owned(), takes, example };
+            self.find(what, expr);
+            return Some(Head::Invalid);
+        };
+        let index = Box::new(index.clone());
+        let method = call.method.clone();
+        self.note_topology(&Topology { field, path, call: Call::Row, method, arguments, place, spot });
+        Some(Head::Row { field, index })
     }
 
     /// A field, or a member of the branch that is meant.
@@ -124,13 +152,6 @@ impl Lower {
                 Some(base) => Upon::Field(self.kernel.fields[base.field].name.to_string()),
                 None => Upon::Other,
             },
-        }
-    }
-
-    fn mentions_field(&self, expr: &Expr) -> bool {
-        match bare(expr) {
-            Expr::MethodCall(call) => self.mentions_field(&call.receiver),
-            other => self.base(other).is_some(),
         }
     }
 

@@ -11,7 +11,7 @@ use super::heads::{self, Unrolled};
 use super::jumps::Target;
 use super::scope::Kind;
 use super::{Lower, Mode};
-use crate::kernel::model::{Head, Indices, InnerLoop, Loop, Node, Spot, Unroll, What};
+use crate::kernel::model::{Call, Head, Indices, InnerLoop, Loop, Node, Place, Spot, Topology, Unroll, What};
 use crate::kernel::syntax::{bare, name_of, names, parts, plain_names};
 
 /// The language's attributes on a loop.
@@ -116,6 +116,7 @@ impl Lower {
             body: empty,
             spot,
             accesses: Vec::new(),
+            topology: Vec::new(),
             reductions: Vec::new(),
             captures: Vec::new(),
             bound: Vec::new(),
@@ -184,6 +185,10 @@ impl Lower {
                 let parallel = self.parallel();
                 if let (Some(number), Some(field)) = (parallel, head.field()) {
                     self.kernel.loops[number].shapes.insert(field);
+                    let (path, place) = (Vec::new(), Place::Computed);
+                    let method = self.kernel.fields[field].name.clone();
+                    let (call, arguments, spot) = (Call::All, Vec::new(), spot.clone());
+                    self.note_topology(&Topology { field, path, call, method, arguments, place, spot });
                 }
                 let span = heads::span(&repeat.expr);
                 *repeat.expr = self.node(Node::Indices(Indices { head, tuple, parallel }), span);

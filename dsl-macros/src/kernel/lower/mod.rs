@@ -10,6 +10,7 @@ pub(super) mod macros;
 mod scope;
 mod suspicions;
 mod targets;
+mod topology;
 
 use std::collections::BTreeSet;
 use std::mem;
@@ -61,6 +62,7 @@ fn walk(mut function: ItemFn, options: TokenStream, mode: Mode) -> Kernel {
         bound: Vec::new(),
         mutable: BTreeSet::new(),
         findings: Vec::new(),
+        listed: BTreeSet::new(),
         handed_on: BTreeSet::new(),
         suspicions: Vec::new(),
     };
@@ -216,7 +218,7 @@ impl Lower {
         self.mode = mode;
         let accesses = self.kernel.nodes[known..]
             .iter()
-            .any(|node| matches!(node, Node::Access(_) | Node::FieldCall(_) | Node::Unchecked(_)));
+            .any(|node| matches!(node, Node::Access(_) | Node::FieldCall(_) | Node::Unchecked(_) | Node::Topology(_)));
         if let (Some(word), true, true) = (closure.capture, accesses, self.parallel().is_some()) {
             self.find(What::MoveClosure, &word);
         }
