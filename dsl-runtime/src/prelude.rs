@@ -3,7 +3,7 @@
 pub use crate::axes::{Axes, I, Ij, Ijk, Ijkl, O};
 pub use crate::field::Field;
 pub use crate::launch::cpu::Cpu;
-pub use crate::layout::{AoSoA, Aos, Blocked, Layout, Morton, Soa, Split};
+pub use crate::layout::{AoSoA, Aos, Blocked, Layout, Morton, Soa, Sparse, SparseHash, Split};
 pub use crate::random::random;
 pub use crate::real::Real;
 pub use crate::record::Record;

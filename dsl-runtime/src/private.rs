@@ -15,8 +15,11 @@ pub use crate::record::{
     At, ElementList, MemberMuts, MemberRefs, MemberSpec, PartMut, PartRef, Path, Tag, Under, Whole,
 };
 pub use crate::scatter::{Op, Scattered, Target};
+pub use crate::field::{Entries, EntryTuples, Handle, Storage};
+pub use crate::layout::{Brick, Head, ListSpec, Root, TreeSpec};
+pub use crate::view::{EightCorners, Whose};
 pub use crate::view::{
-    Accumulate, Based, Beside, Boxed, Buffer, Free, Held, Linear, OfLoop, Other, Own, OwnFree, Read, Row, Site, Together, Var, View,
+    Accumulate, Based, Corners, Beside, Boxed, Buffer, Free, Held, Linear, OfLoop, Other, Own, OwnFree, Read, Row, Site, Together, Var, View,
     assert_packed, buffer, exclusive, negative, shared,
 };
 

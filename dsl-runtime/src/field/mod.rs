@@ -42,7 +42,7 @@ use crate::axes::{AXIS_NAMES, Axes, I, Shape};
 use crate::index::IntoIndex;
 use crate::layout::{Geometry, Layout, Map, Opens};
 use crate::record::Record;
-pub(crate) use storage::Storage;
+pub use storage::Storage;
 
 /// Storage: records `R` in the layout `L` over the axes `X`.
 ///

@@ -73,11 +73,6 @@ impl Storage {
         self.memory.as_mut_slice()
     }
 
-    /// The stores, in the order of the sparse branches.
-    pub(crate) fn stores(&self) -> impl Iterator<Item = &Store> {
-        self.stores.iter().map(|store| &**store)
-    }
-
     /// The store of a sparse branch, to change.
     pub(crate) fn store_mut(&mut self, branch: usize) -> &mut Store {
         &mut self.stores[branch]

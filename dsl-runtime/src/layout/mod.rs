@@ -23,7 +23,13 @@ pub use grown::{Grid, Grown, Hash, ListLayout, Listed, Sparse, SparseHash};
 #[doc(hidden)]
 pub use grown::SparseRoot;
 pub use levels::Leaf;
-pub(crate) use levels::{Block, Brick, Levels};
+pub(crate) use levels::{Block, Levels};
+#[doc(hidden)]
+pub use dynamic::Head;
+#[doc(hidden)]
+pub use levels::{Brick, ListSpec};
+#[doc(hidden)]
+pub use node::{Root, Tree as TreeSpec};
 pub(crate) use map::Map;
 pub use morton::Curve;
 pub use pointer::Table;

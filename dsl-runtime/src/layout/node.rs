@@ -107,8 +107,6 @@ pub struct Tree {
     pub(crate) root: Root,
     /// Blocks that a cell of the root spans along each axis.
     pub(crate) span: PerAxis,
-    /// Bytes of what a cell of the root is; 0 where it is a block.
-    pub(crate) node: usize,
     /// The lists that the blocks hold the entries of, if they do.
     pub(crate) list: Option<ListSpec>,
     /// Cells that share one activity bit; 0 where a block is active as a whole.

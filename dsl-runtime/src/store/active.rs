@@ -58,18 +58,6 @@ impl ActiveList {
         }
     }
 
-    /// Puts another list behind.
-    pub(crate) fn append(&mut self, mut other: Self) {
-        let before = self.work();
-        self.bricks.append(&mut other.bricks);
-        self.ends.extend(other.ends.iter().map(|end| before + end));
-        self.bits.append(&mut other.bits);
-        for a in 0..MAX_AXES {
-            self.first[a] = self.first[a].min(other.first[a]);
-            self.end[a] = self.end[a].max(other.end[a]);
-        }
-    }
-
     /// All that is to be done.
     pub(crate) fn work(&self) -> usize {
         self.ends.last().copied().unwrap_or(0)

@@ -100,14 +100,6 @@ impl Store {
         }))
     }
 
-    /// An empty store with the same root, sizes and background.
-    pub(crate) fn alike(&self) -> Option<Box<Self>> {
-        let mut store = Self::new(self.sizes, self.hash.is_none().then(|| self.memory.bytes()))?;
-        store.template.as_mut_slice().copy_from_slice(self.template.as_slice());
-        store.blank = self.blank;
-        Some(store)
-    }
-
     /// A new node of the level at a depth: pointers of so many bytes, or a block where that is 0.
     #[cold]
     pub(crate) fn new_node(&self, bytes: usize, depth: usize) -> *mut u8 {
