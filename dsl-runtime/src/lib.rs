@@ -271,8 +271,9 @@ pub use axes::{Axes, I, Ij, Ijk, Ijkl, O, Shape};
 pub use element::{Element, Scalar};
 pub use enumeration::{Enumeration, Representation};
 pub use field::{
-    AnyMember, AnyMemberMut, Entries, Field, FileError, FileFault, ListFull, Member, MemberMut, NonFinite, OutOfRange, ParallelRecords,
-    Permutation, PermutationError, Records, ScanOverflow, ShapeError, ShapeMismatch, Source, SourceMut,
+    AnyMember, AnyMemberMut, Entries, Field, FileError, FileFault, ListFull, Member, MemberMut, NonFinite, OutOfRange,
+    ParallelRecords, Permutation, PermutationError, Records, ScanOverflow, ShapeError, ShapeMismatch, Source,
+    SourceMut,
 };
 pub use index::{Integer, IntoIndex};
 pub use launch::cpu::Cpu;

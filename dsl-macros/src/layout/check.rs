@@ -222,7 +222,11 @@ fn check_hash(node: &Node, list: &AxisList, outermost: bool, errors: &mut Diagno
     let (name, axes) = (&node.name, &list.name);
     if !outermost {
         errors
-            .error(Code::WrongHash, name, "`hash` stands below another node, and it finds the cells of the outermost one")
+            .error(
+                Code::WrongHash,
+                name,
+                "`hash` stands below another node, and it finds the cells of the outermost one",
+            )
             .note("it is what makes a field unbounded: below a node with a size there are as many cells as that says")
             .help(format!("begin the layout with `hash({axes})`, or write `pointer({axes}, 8)` here"));
     }

@@ -15,7 +15,9 @@ pub(super) fn check(list: &List, branch: &Branch, number: usize, errors: &mut Di
     if list.most.is_none() {
         errors
             .error(Code::WrongMaximum, &list.name, "`dynamic` does not say how many entries a list has at most")
-            .note("`append` to a list that has so many is an error, which tells a mistake from a larger and larger list")
+            .note(
+                "`append` to a list that has so many is an error, which tells a mistake from a larger and larger list",
+            )
             .help(format!("write `dynamic({}, 64)`", letters(list)));
     }
     if let Some((at, chunk)) = &list.chunk {

@@ -4,8 +4,8 @@ mod check;
 mod expand;
 mod lists;
 mod model;
-mod sparse;
 mod parse;
+mod sparse;
 #[cfg(test)]
 mod tests;
 

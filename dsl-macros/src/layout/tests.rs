@@ -291,7 +291,10 @@ fn padding() {
 #[test]
 fn sparse_chains_are_cut_where_cells_point() {
     let cases = [
-        (quote!(pointer(ij, 16).dense(ij, 8).aos), "Grown<Grid<0x12>,Table<Dense<0x12,16,16,1,1,Entry>,Leaf>,Dense<0x12,8,8,1,1,PlaceAos>>"),
+        (
+            quote!(pointer(ij, 16).dense(ij, 8).aos),
+            "Grown<Grid<0x12>,Table<Dense<0x12,16,16,1,1,Entry>,Leaf>,Dense<0x12,8,8,1,1,PlaceAos>>",
+        ),
         (quote!(pointer(ji).aos), "Grown<Grid<0x21>,Table<Entry,Leaf>,Dense<0x21,1,1,1,1,PlaceAos>>"),
         (
             quote!(dense(i).pointer(j, 4).pointer(ij, (2, 3)).morton(ij, 4).split),
@@ -308,13 +311,22 @@ fn sparse_chains_are_cut_where_cells_point() {
             quote!(bitmasked(ij, 4).pointer(ij, 2).aos),
             "Grown<Grid<0x12>,Table<Dense<0x12,4,4,1,1,Dense<0x12,2,2,1,1,Entry>>,Leaf>,Dense<0x12,1,1,1,1,PlaceAos>>",
         ),
-        (quote!(dense(i).dynamic(j, 128).aos), "Listed<::allotrope::Ij,Grid<0x1>,List<Entry,0x2,128,0>,Dense<0x2,1,128,1,1,PlaceAos>>"),
-        (quote!(dynamic(i, 1000, chunk = 32).soa), "Listed<::allotrope::I,Grid<0x0>,List<Entry,0x1,1000,32>,Dense<0x1,32,1,1,1,PlaceSoa>>"),
+        (
+            quote!(dense(i).dynamic(j, 128).aos),
+            "Listed<::allotrope::Ij,Grid<0x1>,List<Entry,0x2,128,0>,Dense<0x2,1,128,1,1,PlaceAos>>",
+        ),
+        (
+            quote!(dynamic(i, 1000, chunk = 32).soa),
+            "Listed<::allotrope::I,Grid<0x0>,List<Entry,0x1,1000,32>,Dense<0x1,32,1,1,1,PlaceSoa>>",
+        ),
         (
             quote!(pointer(ij, 8).dense(ij, 4).dynamic(k, MOST).aos),
             "Listed<::allotrope::Ijk,Grid<0x12>,Table<Dense<0x12,8,8,1,1,Entry>,List<Dense<0x12,4,4,1,1,Entry>,0x3,{MOST},0>>,Dense<0x3,1,1,{MOST},1,PlaceAos>>",
         ),
-        (quote!(hash(ij).dynamic(k, 64).aos), "Listed<::allotrope::Ijk,Hash<0x12>,List<Entry,0x3,64,0>,Dense<0x3,1,1,64,1,PlaceAos>>"),
+        (
+            quote!(hash(ij).dynamic(k, 64).aos),
+            "Listed<::allotrope::Ijk,Hash<0x12>,List<Entry,0x3,64,0>,Dense<0x3,1,1,64,1,PlaceAos>>",
+        ),
     ];
     for (layout, expected) in cases {
         assert_eq!(codes(layout.clone()), [], "{layout}");

@@ -82,7 +82,8 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
                         continue;
                     }
                     let spec = &R::Elements::MEMBERS[m];
-                    let ((read, read_step), (write, write_step)) = (from.component(m, at), to.component_mut(m, there(at)));
+                    let ((read, read_step), (write, write_step)) =
+                        (from.component(m, at), to.component_mut(m, there(at)));
                     for c in 0..spec.components {
                         let (read, write) = (read.wrapping_add(c * read_step), write.wrapping_add(c * write_step));
                         // SAFETY: as above; a component has so many bytes in every layout.
@@ -131,7 +132,8 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
                 if !Map::<R, L, X>::is_sparse(m) {
                     return bytes.iter().any(|&byte| byte != 0);
                 }
-                let (background, _) = from.component_in(m, from.store(m).background, &Handle::<R, L, X>::split(m, at).1);
+                let (background, _) =
+                    from.component_in(m, from.store(m).background, &Handle::<R, L, X>::split(m, at).1);
                 // SAFETY: the same component of the background's block, which nothing writes.
                 bytes != unsafe { core::slice::from_raw_parts(background.wrapping_add(c * step), spec.scalar) }
             })
@@ -156,7 +158,11 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
             // Whatever bounds there are, its indices are among all.
             return Field::unbounded();
         }
-        assert!(!unbounded.0, "`{}`: an unbounded field has no extents for a layout with bounds", core::any::type_name::<R>());
+        assert!(
+            !unbounded.0,
+            "`{}`: an unbounded field has no extents for a layout with bounds",
+            core::any::type_name::<R>()
+        );
         let extents = self.geometry.shape.map(|n| n as usize);
         let mut to = Field::<R, M, X>::with_extents(extents)
             .unwrap_or_else(|error| panic!("`{}`: {error}", core::any::type_name::<R>()));

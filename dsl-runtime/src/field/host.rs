@@ -7,7 +7,7 @@ use super::{Field, Handle, OutOfRange};
 use crate::axes::{Axes, MAX_AXES};
 use crate::index::IntoIndex;
 use crate::layout::Layout;
-use crate::record::{Record, Whole};
+use crate::record::{ElementList, Record, Whole};
 
 #[cold]
 #[inline(never)]
@@ -63,6 +63,16 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     /// Puts the same record everywhere; in a sparse field, into the active elements.
     pub fn fill(&mut self, record: R) {
         let handle = self.handle_mut();
+        if L::BRANCHES > 1 {
+            // Each branch has its own active elements.
+            for m in 0..R::Elements::MEMBERS.len() {
+                for at in Elements::of_member(&handle, m).all::<X>() {
+                    // SAFETY: elements lie within the shape; `&mut self` is exclusive.
+                    unsafe { handle.write_member(m, at, record) };
+                }
+            }
+            return;
+        }
         for at in Elements::of::<Whole, R, L, X>(&handle).all::<X>() {
             // SAFETY: elements lie within the shape; `&mut self` is exclusive.
             unsafe { handle.write::<Whole>(at, record) };

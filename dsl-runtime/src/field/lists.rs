@@ -22,7 +22,11 @@ pub struct ListFull {
 
 impl fmt::Display for ListFull {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the list at {:?} holds {} entries, which is the maximum that its layout gives it", self.list, self.most)
+        write!(
+            f,
+            "the list at {:?} holds {} entries, which is the maximum that its layout gives it",
+            self.list, self.most
+        )
     }
 }
 
@@ -256,7 +260,8 @@ impl<R: Record, L: ListLayout<X>, X: Axes> Field<R, L, X> {
         let handle = self.handle_mut();
         let axis = Handle::<R, L, X>::LIST.0;
         // The first block of each list.
-        let lists: Vec<_> = handle.actives(0).bricks.iter().map(|brick| brick.block).filter(|block| block[axis] == 0).collect();
+        let lists: Vec<_> =
+            handle.actives(0).bricks.iter().map(|brick| brick.block).filter(|block| block[axis] == 0).collect();
         let extent = Map::<R, L, X>::chain(0).extent;
         for block in lists {
             let at = core::array::from_fn(|a| block[a] * extent[a] as u32);

@@ -10,10 +10,9 @@ pub(crate) const LINE: usize = 64;
 /// they are touched. The start is found within.
 const ALIGN: usize = 16;
 
-#[doc(hidden)]
 /// An owned, zeroed stretch of memory.
 #[derive(Debug)]
-pub struct Memory {
+pub(crate) struct Memory {
     /// What was allocated; `None` for no bytes.
     block: Option<(NonNull<u8>, Layout)>,
     start: NonNull<u8>,

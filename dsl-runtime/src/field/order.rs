@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-use super::parts::{each_part, in_parts};
 use super::elements::Elements;
+use super::parts::{each_part, in_parts};
 use super::{Field, Storage};
 use crate::axes::{Axes, I};
 use crate::layout::Layout;
@@ -143,9 +143,10 @@ impl<R: Record, L: Layout<I>> Field<R, L, I> {
         if let Elements::Active(places) = &elements {
             // Activity stays as it is: the active elements' records change places among them.
             // SAFETY: as above.
-            let records: Vec<R> =
-                each_part(old.len(), |part| part.map(|n| unsafe { from.read::<Whole>(places[old[n] as usize]) }).collect::<Vec<R>>())
-                    .concat();
+            let records: Vec<R> = each_part(old.len(), |part| {
+                part.map(|n| unsafe { from.read::<Whole>(places[old[n] as usize]) }).collect::<Vec<R>>()
+            })
+            .concat();
             each_part(old.len(), |part| {
                 for n in part {
                     // SAFETY: each part writes its own elements, which `&mut self` keeps others from.

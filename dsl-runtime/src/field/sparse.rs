@@ -147,7 +147,9 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
         for m in branches::<R, L, X>() {
             let extent = Map::<R, L, X>::chain(m).extent;
             Map::<R, L, X>::walk(&handle.geometry, handle.store(m), m, &mut |brick| {
-                first.push(X::index(handle.geometry.logical(core::array::from_fn(|a| brick.block[a] * extent[a] as u32))));
+                first.push(X::index(
+                    handle.geometry.logical(core::array::from_fn(|a| brick.block[a] * extent[a] as u32)),
+                ));
             });
         }
         first.into_iter()
@@ -283,6 +285,21 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
         }
     }
 
+    /// Writes one member of a record at an element, which becomes active in that member's branch.
+    ///
+    /// # Safety
+    /// The element lies within the shape, and nobody reads or writes it meanwhile.
+    pub(crate) unsafe fn write_member(&self, m: usize, at: [u32; MAX_AXES], record: R) {
+        let scratch = Scratch::default();
+        // SAFETY: a component of the element; those of other members go to the scratch memory.
+        unsafe {
+            Whole::scatter(record, |member| match member == m {
+                true => self.component_mut(m, at),
+                false => scratch.component::<R>(member),
+            });
+        }
+    }
+
     /// Makes the element at a place active in a member's branch.
     pub(crate) fn activate_at(&self, m: usize, at: [u32; MAX_AXES]) {
         if Map::<R, L, X>::is_sparse(m) {
@@ -370,7 +387,8 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
 
     /// Takes entries out of their lists; the others move up, in their order.
     fn remove_entries(&self, axis: usize, mut places: Vec<[u32; MAX_AXES]>) {
-        let list_of = |at: &[u32; MAX_AXES]| core::array::from_fn::<u32, MAX_AXES, _>(|a| if a == axis { 0 } else { at[a] });
+        let list_of =
+            |at: &[u32; MAX_AXES]| core::array::from_fn::<u32, MAX_AXES, _>(|a| if a == axis { 0 } else { at[a] });
         places.sort_unstable_by_key(|at| (list_of(at), at[axis]));
         for entries in places.chunk_by(|a, b| list_of(a) == list_of(b)) {
             let removed = |n: usize| entries.binary_search_by_key(&n, |at| at[axis] as usize).is_ok();
@@ -379,12 +397,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     }
 
     /// Keeps those entries of the list that a place is in which `keep` keeps, in their order.
-    pub(crate) fn retain_entries(
-        &self,
-        list: &[u32; MAX_AXES],
-        axis: usize,
-        mut keep: impl FnMut(usize, &R) -> bool,
-    ) {
+    pub(crate) fn retain_entries(&self, list: &[u32; MAX_AXES], axis: usize, mut keep: impl FnMut(usize, &R) -> bool) {
         let at = |n: usize| core::array::from_fn::<u32, MAX_AXES, _>(|a| if a == axis { n as u32 } else { list[a] });
         let (block, _) = Self::split(0, at(0));
         let len = self.list_len(&block);

@@ -4,7 +4,6 @@ use core::marker::PhantomData;
 use core::ops::Range;
 
 use super::run::Run;
-use std::sync::Arc;
 use crate::axes::{Axes, I, Ij, Ijk, Ijkl, MAX_AXES, PerAxis, all, per_axis};
 use crate::element::Sealed;
 use crate::index::Integer;
@@ -13,6 +12,7 @@ use crate::layout::{Chain, Digit, Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record, Whole};
 use crate::store::active::ActiveList;
 use crate::view::{Places, View};
+use std::sync::Arc;
 
 /// What a parallel loop runs over. The list is closed: each element is visited exactly once.
 #[doc(hidden)]
@@ -317,7 +317,18 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             #[inline(always)]
             |inner| {
                 let (at, len) = (self.start(block, inner), <Self as Space>::RUN);
-                run(Run { at, first: 0, len, block, inner, brick: NOWHERE, root: NOWHERE, whole: true, fits, owner: PhantomData });
+                run(Run {
+                    at,
+                    first: 0,
+                    len,
+                    block,
+                    inner,
+                    brick: NOWHERE,
+                    root: NOWHERE,
+                    whole: true,
+                    fits,
+                    owner: PhantomData,
+                });
             },
         );
     }
@@ -338,7 +349,18 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             if inside && first < end {
                 let (first, len) = (first as usize, (end - first) as usize);
                 let at = self.start(block, inner);
-                run(Run { at, first, len, block, inner, brick: NOWHERE, root: NOWHERE, whole: false, fits, owner: PhantomData });
+                run(Run {
+                    at,
+                    first,
+                    len,
+                    block,
+                    inner,
+                    brick: NOWHERE,
+                    root: NOWHERE,
+                    whole: false,
+                    fits,
+                    owner: PhantomData,
+                });
             }
         }
     }
@@ -423,7 +445,18 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Space for Cells<R, L, X, P> {
             );
             if const { <Self as Chained<X>>::CHAIN.is_flat() } {
                 let (at, inner) = (self.start(first, [0; MAX_AXES]), [0; MAX_AXES]);
-                run(Run { at, first: 0, len, block: first, inner, brick: NOWHERE, root: NOWHERE, whole: false, fits, owner: PhantomData });
+                run(Run {
+                    at,
+                    first: 0,
+                    len,
+                    block: first,
+                    inner,
+                    brick: NOWHERE,
+                    root: NOWHERE,
+                    whole: false,
+                    fits,
+                    owner: PhantomData,
+                });
             } else {
                 self.blocks::<LIGHT>(first, len, fits, &mut run);
             }
@@ -664,7 +697,18 @@ impl<T: Integers<X = X>, X: Axes> Space for Ranges<T, X> {
                 at[axis] += place[axis] as i64;
             }
             let (block, inner) = ([0; MAX_AXES], [0; MAX_AXES]);
-            run(Run { at, first: 0, len, block, inner, brick: NOWHERE, root: NOWHERE, whole: false, fits, owner: PhantomData });
+            run(Run {
+                at,
+                first: 0,
+                len,
+                block,
+                inner,
+                brick: NOWHERE,
+                root: NOWHERE,
+                whole: false,
+                fits,
+                owner: PhantomData,
+            });
             left -= len;
             place[last] = 0;
             for axis in (0..last).rev() {

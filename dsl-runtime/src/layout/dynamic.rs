@@ -121,7 +121,11 @@ unsafe impl<C: Inner<X>, const AXIS: u32, const MOST: usize, const CHUNK: usize,
     };
     const BYTES: usize = C::CELLS * HEAD;
     const SIZES: &'static [usize] = {
-        if Self::BLOCKS == 1 { &super::pointer::sizes(C::CELLS * HEAD, &[]) } else { &super::pointer::sizes(C::CELLS * HEAD, &[Self::BLOCKS * SLOT]) }
+        if Self::BLOCKS == 1 {
+            &super::pointer::sizes(C::CELLS * HEAD, &[])
+        } else {
+            &super::pointer::sizes(C::CELLS * HEAD, &[Self::BLOCKS * SLOT])
+        }
     };
     const LIST: Option<ListSpec> = Some(ListSpec { axis: Self::axis::<X>(), most: MOST, chunk: Self::BLOCK });
 

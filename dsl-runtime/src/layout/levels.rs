@@ -64,7 +64,12 @@ pub unsafe trait Levels<X: Axes>: Copy + Send + Sync + Sealed + 'static {
     ///
     /// # Safety
     /// As for [`grow`](Self::grow).
-    unsafe fn head<const GROW: bool>(node: *mut u8, block: &Block, store: &Store, depth: usize) -> *mut super::dynamic::Head;
+    unsafe fn head<const GROW: bool>(
+        node: *mut u8,
+        block: &Block,
+        store: &Store,
+        depth: usize,
+    ) -> *mut super::dynamic::Head;
 
     /// Visits all blocks in the order of the tree.
     ///

@@ -38,7 +38,8 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// Bytes of the innermost node (constant trees).
     const LEAF_BYTES: usize = round_up(Self::STREAMS.bytes(L::CHAIN.leaf, Self::STREAMS.align), Self::STREAMS.align);
     /// Bytes of one of the root's cells (constant trees).
-    pub(super) const BLOCK_BYTES: usize = if Self::FLAT { 0 } else { L::CHAIN.cells / L::CHAIN.leaf * Self::LEAF_BYTES };
+    pub(super) const BLOCK_BYTES: usize =
+        if Self::FLAT { 0 } else { L::CHAIN.cells / L::CHAIN.leaf * Self::LEAF_BYTES };
     const FACTS: &'static [Facts; MAX_MEMBERS] = &{
         let nowhere = Streams::NOWHERE;
         let mut facts = [Facts { seat: nowhere, start: 0, stride: 0, component: 0, here: false }; MAX_MEMBERS];

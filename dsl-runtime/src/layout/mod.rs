@@ -17,29 +17,29 @@ mod sparse;
 pub use bitmasked::Masked;
 pub use branches::Both;
 pub use dense::Dense;
+#[doc(hidden)]
+pub use dynamic::Head;
 pub use dynamic::List;
 pub(crate) use geometry::Geometry;
-pub use grown::{Grid, Grown, Hash, ListLayout, Listed, Sparse, SparseHash};
 #[doc(hidden)]
 pub use grown::SparseRoot;
+pub use grown::{Grid, Grown, Hash, ListLayout, Listed, Sparse, SparseHash};
 pub use levels::Leaf;
 pub(crate) use levels::{Block, Levels};
 #[doc(hidden)]
-pub use dynamic::Head;
-#[doc(hidden)]
 pub use levels::{Brick, ListSpec};
-#[doc(hidden)]
-pub use node::{Root, Tree as TreeSpec};
 pub(crate) use map::Map;
 pub use morton::Curve;
-pub use pointer::Table;
 pub(crate) use node::order;
 pub use node::{ALL, LAST};
 #[doc(hidden)]
 pub use node::{Chain, Digit, Inner};
 #[doc(hidden)]
-pub use place::{GroupEntry, Named, Place, Spec, Taken};
+pub use node::{Root, Tree as TreeSpec};
 pub use place::{Entry, Padded, PlaceAos, PlaceGroups, PlaceSoa, PlaceSome, PlaceSplit};
+#[doc(hidden)]
+pub use place::{GroupEntry, Named, Place, Spec, Taken};
+pub use pointer::Table;
 
 use crate::axes::Axes;
 use crate::element::Sealed;

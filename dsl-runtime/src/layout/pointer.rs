@@ -60,7 +60,12 @@ unsafe impl<C: Inner<X>, Rest: Levels<X>, X: Axes> Levels<X> for Table<C, Rest> 
         unsafe { Rest::grow(below, block, store, depth + 1) }
     }
 
-    unsafe fn head<const GROW: bool>(node: *mut u8, block: &Block, store: &Store, depth: usize) -> *mut super::dynamic::Head {
+    unsafe fn head<const GROW: bool>(
+        node: *mut u8,
+        block: &Block,
+        store: &Store,
+        depth: usize,
+    ) -> *mut super::dynamic::Head {
         let offset = cell_offset::<C, X>(block, const { &Rest::SPAN }, SLOT);
         // SAFETY: the cell is one of the node's.
         let slot = unsafe { slot(node.add(offset)) };

@@ -189,7 +189,11 @@ impl<R: Record, L: Layout<X>, X: Axes> Scattered for Target<'_, '_, R, L, X> {
     fn cells(&self) -> usize {
         if const { Map::<R, L, X>::any_sparse() } {
             // About as many as were active last.
-            return self.sparse_branches().map(|m| self.handle.actives(m).work()).max().unwrap_or(self.handle.geometry.len());
+            return self
+                .sparse_branches()
+                .map(|m| self.handle.actives(m).work())
+                .max()
+                .unwrap_or(self.handle.geometry.len());
         }
         self.handle.geometry.len()
     }

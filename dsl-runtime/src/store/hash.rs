@@ -225,7 +225,8 @@ impl Shard {
         let table = match newest {
             Some(table) if 2 * count <= table.cells.len() => table,
             old => {
-                let larger = Table::new(old.map_or(FIRST, |table| 2 * table.cells.len()).max(2 * count.next_power_of_two()));
+                let larger =
+                    Table::new(old.map_or(FIRST, |table| 2 * table.cells.len()).max(2 * count.next_power_of_two()));
                 // SAFETY: just made.
                 let larger_table = unsafe { &*larger };
                 for cell in old.iter().flat_map(|table| &table.cells) {

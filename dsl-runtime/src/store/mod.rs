@@ -92,7 +92,12 @@ impl Store {
             memory,
             template,
             blank: true,
-            tables: sizes.nodes.iter().filter(|&&bytes| bytes > 0).map(|&bytes| Pool::new(rounded(bytes), LINE)).collect(),
+            tables: sizes
+                .nodes
+                .iter()
+                .filter(|&&bytes| bytes > 0)
+                .map(|&bytes| Pool::new(rounded(bytes), LINE))
+                .collect(),
             bricks: Pool::new(sizes.brick, sizes.line),
             stale: AtomicBool::new(true),
             actives: Mutex::default(),

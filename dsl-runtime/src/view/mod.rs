@@ -204,8 +204,10 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
     /// As [`based`](Self::based), with the same offsets along all axes.
     #[inline(always)]
     pub fn based_all(self, base: impl crate::index::IntoIndex<X>, low: i64, high: i64) -> Option<Based<L, X>> {
-        Based::around(&self.handle.geometry, base.coordinates(), [low; MAX_AXES], [high; MAX_AXES])
-            .map(#[inline(always)] |based: Based<L, X>| based.cornered(&self.handle))
+        Based::around(&self.handle.geometry, base.coordinates(), [low; MAX_AXES], [high; MAX_AXES]).map(
+            #[inline(always)]
+            |based: Based<L, X>| based.cornered(&self.handle),
+        )
     }
 
     /// Reads a path at an index, whatever else the loop does there.
@@ -237,8 +239,10 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
         low: [i64; N],
         high: [i64; N],
     ) -> Option<Based<L, X>> {
-        Based::new(&self.handle.geometry, base.coordinates(), low, high)
-            .map(#[inline(always)] |based: Based<L, X>| based.cornered(&self.handle))
+        Based::new(&self.handle.geometry, base.coordinates(), low, high).map(
+            #[inline(always)]
+            |based: Based<L, X>| based.cornered(&self.handle),
+        )
     }
 }
 

@@ -8,7 +8,7 @@ use super::Site;
 use crate::axes::{Axes, MAX_AXES, per_axis, sum};
 use crate::field::Handle;
 use crate::index::inside;
-use crate::launch::{Cell as RunCell, Run, stay_scalar, Space, any_in_blocks, is_in_blocks};
+use crate::launch::{Cell as RunCell, Run, Space, any_in_blocks, is_in_blocks, stay_scalar};
 use crate::layout::{Block, Chain, Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record};
 
@@ -491,7 +491,8 @@ impl<R: Record, L, X, P: Path<R>, S, H> core::fmt::Debug for Held<'_, '_, R, L, 
 
 impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Held<'a, 'b, R, L, X, P, S, H> {
     /// Whether whole runs are held back.
-    const HOLDS: bool = S::RUN > 0 && S::RUN <= HELD 
+    const HOLDS: bool = S::RUN > 0
+        && S::RUN <= HELD
         && matches!(Line::<'static, R, L, X, P, S, H>::KIND, Kind::Blocks)
         && (Line::<'static, R, L, X, P, S, H>::OF_LOOP || !Line::<'static, R, L, X, P, S, H>::SPARSE);
     #[inline(always)]

@@ -58,9 +58,7 @@ impl<R: Record, L: Layout<X>, X: Axes> View<'_, R, L, X, true> {
     #[track_caller]
     pub fn deactivate<P: Path<R>>(&self, _: P, index: impl IntoIndex<X>) {
         let at = self.place(index);
-        branches::<R, L, X, P>()
-            .filter(|&m| Map::<R, L, X>::is_sparse(m))
-            .for_each(|m| self.handle.defer(m, at));
+        branches::<R, L, X, P>().filter(|&m| Map::<R, L, X>::is_sparse(m)).for_each(|m| self.handle.defer(m, at));
     }
 
     /// Makes inactive what the loop has deactivated and removed.

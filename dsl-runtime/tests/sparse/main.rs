@@ -2,7 +2,6 @@
 
 mod concurrent;
 mod lists;
-mod memory;
 mod model;
 mod topology;
 mod workloads;

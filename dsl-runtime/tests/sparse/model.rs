@@ -124,7 +124,8 @@ fn index<X: Axes>(at: [i64; 4]) -> X::Index {
 
 fn check<L: Layout<X>, X: Axes>(field: &Field<Cell, L, X>, model: &Model, places: &[[i64; 4]]) {
     let expected = model.all();
-    let found: Vec<([i64; 4], Cell)> = field.active_iter().map(|(q, cell)| (IntoIndex::<X>::coordinates(q), cell)).collect();
+    let found: Vec<([i64; 4], Cell)> =
+        field.active_iter().map(|(q, cell)| (IntoIndex::<X>::coordinates(q), cell)).collect();
     assert_eq!(found.iter().map(|(at, _)| *at).collect::<Vec<_>>(), expected, "the active elements");
     assert_eq!(field.active_len(), expected.len());
     for (at, cell) in found {
@@ -205,10 +206,14 @@ fn run<L: Layout<X>, X: Axes>(name: &str, field: Field<Cell, L, X>, group: [i64;
             }
             985..988 => {
                 thin(&mut field);
-                let inside = |at: &[i64; 4]| {
-                    (0..rank).all(|a| at[a] > origin[a] && at[a] + 1 < origin[a] + shape[a])
-                };
-                for at in model.all().into_iter().filter(inside).filter(|at| model.get(*at).count % 5 == 0).collect::<Vec<_>>() {
+                let inside = |at: &[i64; 4]| (0..rank).all(|a| at[a] > origin[a] && at[a] + 1 < origin[a] + shape[a]);
+                for at in model
+                    .all()
+                    .into_iter()
+                    .filter(inside)
+                    .filter(|at| model.get(*at).count % 5 == 0)
+                    .collect::<Vec<_>>()
+                {
                     model.deactivate(model.group(at));
                 }
             }
@@ -222,13 +227,20 @@ fn run<L: Layout<X>, X: Axes>(name: &str, field: Field<Cell, L, X>, group: [i64;
                 for at in &model.all() {
                     assert!(field.is_active(index::<X>(*at)) || model.get(*at) == BACKGROUND);
                 }
-                let kept: BTreeSet<_> = model.active.iter().copied().filter(|group| {
-                    let first: [i64; 4] = std::array::from_fn(|a| origin[a] + group[a] * model.group[a]);
-                    field.is_active(index::<X>(first))
-                }).collect();
+                let kept: BTreeSet<_> = model
+                    .active
+                    .iter()
+                    .copied()
+                    .filter(|group| {
+                        let first: [i64; 4] = std::array::from_fn(|a| origin[a] + group[a] * model.group[a]);
+                        field.is_active(index::<X>(first))
+                    })
+                    .collect();
                 model.active = kept;
                 let active = &model.active;
-                let group = |at: &[i64; 4]| std::array::from_fn::<i64, 4, _>(|a| (at[a] - origin[a]).div_euclid(model.group[a]));
+                let group = |at: &[i64; 4]| {
+                    std::array::from_fn::<i64, 4, _>(|a| (at[a] - origin[a]).div_euclid(model.group[a]))
+                };
                 model.cells.retain(|at, _| active.contains(&group(at)));
             }
             992..994 => field = field.clone(),

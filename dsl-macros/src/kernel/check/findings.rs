@@ -54,10 +54,16 @@ fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
                 .error(Code::FieldMethod, at, format!("`{field}.{name}` cannot be called inside a parallel loop"))
                 .note("the loop holds the field until it ends");
             let instead = match name.as_str() {
-                "clear" | "prune" => format!("call it before or after the loop; inside, `{field}.deactivate(..)` is for single elements"),
-                "retain" | "truncate" => format!("call it before or after the loop; inside, `{field}.remove(..)` is for single entries"),
+                "clear" | "prune" => {
+                    format!("call it before or after the loop; inside, `{field}.deactivate(..)` is for single elements")
+                }
+                "retain" | "truncate" => {
+                    format!("call it before or after the loop; inside, `{field}.remove(..)` is for single entries")
+                }
                 "row" => format!("write `for q in {field}.row(..)`, which is what loops take"),
-                _ => format!("call it before or after the loop; inside, elements are read and written as `{field}[..]`"),
+                _ => {
+                    format!("call it before or after the loop; inside, elements are read and written as `{field}[..]`")
+                }
             };
             error.help(instead);
         }
@@ -70,7 +76,11 @@ fn elements(kernel: &Kernel, finding: &Finding, diagnostics: &mut Diagnostics) {
         What::MemberAppend { field, name } => {
             let field = &kernel.fields[*field].name;
             diagnostics
-                .error(Code::MemberAppend, at, format!("`{text}` names a member, and the entries of lists are whole records"))
+                .error(
+                    Code::MemberAppend,
+                    at,
+                    format!("`{text}` names a member, and the entries of lists are whole records"),
+                )
                 .help(format!("write `{field}.{name}(..)`"));
         }
         What::BoundaryArguments { field, name } => {

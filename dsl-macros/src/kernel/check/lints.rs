@@ -74,7 +74,8 @@ fn only_read(kernel: &Kernel, diagnostics: &mut Diagnostics) {
         if !field.mutable || kernel.handed_on.contains(&number) || accesses.peek().is_none() {
             continue;
         }
-        let changed = kernel.loops.iter().flat_map(|found| &found.topology).any(|t| t.field == number && t.call.changes());
+        let changed =
+            kernel.loops.iter().flat_map(|found| &found.topology).any(|t| t.field == number && t.call.changes());
         if !changed && accesses.all(|access| !access.changes()) {
             let name = &field.name;
             diagnostics

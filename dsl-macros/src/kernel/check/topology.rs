@@ -112,8 +112,13 @@ fn reads(kernel: &Kernel, found: &Loop, diagnostics: &mut Diagnostics) {
         }
         let name = &kernel.fields[asked.field].name;
         let message = match asked.call {
-            Call::All => format!("`{}` runs over `{name}` while the loop makes elements of it active", asked.spot.text()),
-            _ => format!("`{}` asks for what other iterations change: the loop makes elements of `{name}` active", asked.spot.text()),
+            Call::All => {
+                format!("`{}` runs over `{name}` while the loop makes elements of it active", asked.spot.text())
+            }
+            _ => format!(
+                "`{}` asks for what other iterations change: the loop makes elements of `{name}` active",
+                asked.spot.text()
+            ),
         };
         diagnostics
             .error(Code::ActivityBeside, &asked.spot.tokens, message)

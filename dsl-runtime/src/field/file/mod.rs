@@ -1,6 +1,7 @@
 //! Fields as files that NumPy opens: `.npz`, a ZIP archive of one `.npy` array a member.
 
 mod about;
+mod active;
 mod beside;
 mod error;
 mod npy;
@@ -15,10 +16,10 @@ use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 pub use error::{FileError, FileFault};
 
-use super::Field;
-use super::host::Places;
+use super::elements::Elements;
+use super::{Field, ShapeError};
 use crate::axes::Axes;
-use crate::layout::Layout;
+use crate::layout::{Layout, Map};
 use crate::record::{ElementList, Names, Record};
 
 /// Bytes that are moved at a time.
@@ -35,6 +36,11 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     /// `(64, 48, 2)`. Matrices are their columns, one after another. The file does not depend on the layout, but for
     /// its name in `allotrope.json`, which describes the field. Nothing is compressed, since that takes longer than
     /// most disks.
+    ///
+    /// Of a sparse field the arrays hold the active elements alone, one after another in row-major order, and an array `allotrope_active` of
+    /// as many rows their indices: `f = numpy.load("smoke.npz"); f["density"], f["allotrope_active"]`. Where only some branches of a layout
+    /// are sparse, or several, each member of such a branch has an array of its own, `allotrope_active_density`. The background is the
+    /// field's, not the file's.
     ///
     /// The file is written beside its place, brought to the disk and renamed: there is the former one or the new one,
     /// never half of one.
@@ -61,8 +67,8 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
             .map_err(|error| FileError::new(path, FileFault::Write(error)))
     }
 
-    /// Takes all values from an `.npz` file that [`save`](Self::save) has written from a field of the same record and
-    /// shape, in any layout, and its [origin](Self::origin); or NumPy, which leaves this field's origin as it is, with an array for every member and no other:
+    /// Takes all values, and which elements are active, from an `.npz` file that [`save`](Self::save) has written from a field of the same
+    /// record and shape, in any layout, and its [origin](Self::origin); or NumPy, which leaves this field's origin as it is, with an array for every member and no other:
     /// `numpy.savez("grid.npz", velocity=v, mass=m)`.
     ///
     /// # Errors
@@ -90,12 +96,22 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
         let options = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
         archive.start_file(about::NAME, options)?;
         archive.write_all(about::write::<R, L, X>(&self.extents(), &self.geometry.origin[..X::RANK]).as_bytes())?;
+        let large = |bytes: usize| options.large_file(bytes as u64 > u64::from(u32::MAX) - HEADERS);
+        let mut written: Vec<String> = Vec::new();
         for (m, spec) in R::Elements::MEMBERS.iter().enumerate() {
-            let bytes = (self.len() * values::size(spec)) as u64;
-            archive.start_file(entry::<R>(m), options.large_file(bytes > u64::from(u32::MAX) - HEADERS))?;
-            npy::write(&mut archive, spec.kind, &self.array_shape(m))?;
+            let elements = Elements::of_member(&self.handle(), m);
+            if let Elements::Active(places) = &elements {
+                let name = active_entry::<R, L, X>(m);
+                if !written.contains(&name) {
+                    archive.start_file(name.as_str(), large(places.len() * X::RANK * size_of::<i32>()))?;
+                    active::write::<X>(&mut archive, places, &self.geometry)?;
+                    written.push(name);
+                }
+            }
+            archive.start_file(entry::<R>(m), large(elements.len() * values::size(spec)))?;
+            npy::write(&mut archive, spec.kind, &self.array_shape(m, &elements))?;
             let mut piece = Vec::with_capacity(PIECE + values::size(spec));
-            for at in Places::<X>::new(self.geometry.shape) {
+            for at in elements.all::<X>() {
                 values::append(self, m, at, &mut piece);
                 if piece.len() >= PIECE {
                     archive.write_all(&piece)?;
@@ -115,7 +131,9 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
         let known: Vec<String> = (0..R::Elements::MEMBERS.len()).map(entry::<R>).collect();
         for name in archive.file_names() {
             let name = name.map_err(|error| FileFault::Archive { why: error.to_string() })?;
-            if name != about::NAME && !known.iter().any(|known| *known == name) {
+            let active = |m: usize| name == own_active_entry::<R>(m);
+            let is_active = name == active::NAME || (0..known.len()).any(active);
+            if name != about::NAME && !is_active && !known.iter().any(|known| *known == name) {
                 return Err(FileFault::Unknown { entry: name.into_owned() });
             }
         }
@@ -128,18 +146,34 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
             .iter()
             .map(|entry| archive.index_for_name(entry).ok_or_else(|| FileFault::Missing { entry: entry.clone() }));
         let numbers = numbers.collect::<Result<Vec<usize>, FileFault>>()?;
-        let mut fresh = Self::with_extents(self.geometry.shape.map(|n| n as usize)).map_err(FileFault::Memory)?;
+        let mut fresh = self.empty().map_err(FileFault::Memory)?;
+        fresh.geometry =
+            if Map::<R, L, X>::is_unbounded() { self.geometry } else { about::moved::<X>(self.geometry, &origin)? };
         for (m, (number, entry)) in numbers.into_iter().zip(&known).enumerate() {
-            fresh.read_array(m, entry, open(&mut archive, number, entry)?)?;
+            let own = own_active_entry::<R>(m);
+            let listed =
+                [own.as_str(), active::NAME].into_iter().find_map(|name| Some((name, archive.index_for_name(name)?)));
+            let elements = match listed {
+                Some((name, number)) => {
+                    active::read::<X>(open(&mut archive, number, name)?, name, &fresh.geometry).map(Elements::Active)?
+                }
+                None => Elements::All(self.geometry.shape),
+            };
+            fresh.read_array(m, entry, &elements, open(&mut archive, number, entry)?)?;
         }
-        fresh.geometry = about::moved::<X>(self.geometry, &origin)?;
         Ok(fresh)
     }
 
     /// Takes the values of member `m` from an array, which must end with them.
-    fn read_array(&mut self, m: usize, entry: &str, mut input: impl Read) -> Result<(), FileFault> {
+    fn read_array(
+        &mut self,
+        m: usize,
+        entry: &str,
+        elements: &Elements,
+        mut input: impl Read,
+    ) -> Result<(), FileFault> {
         let fault = |why: String| FileFault::Entry { entry: entry.into(), why };
-        let (spec, expected) = (&R::Elements::MEMBERS[m], self.array_shape(m));
+        let (spec, expected) = (&R::Elements::MEMBERS[m], self.array_shape(m, elements));
         let header = npy::read(&mut input).map_err(fault)?;
         if header.descr != npy::descr(spec.kind) {
             let (entry, expected) = (entry.into(), npy::descr(spec.kind));
@@ -153,10 +187,11 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
         }
         let damaged = |error: io::Error| fault(format!("is cut off or damaged: {error}"));
         let size = values::size(spec);
-        let mut places = Places::<X>::new(self.geometry.shape);
+        let (mut places, mut left) = (elements.all::<X>(), elements.len());
         let mut piece = vec![0; size * (PIECE / size.max(1)).max(1)];
-        while places.len() > 0 {
-            let count = places.len().min(piece.len() / size.max(1)).max(1);
+        while left > 0 {
+            let count = left.min(piece.len() / size.max(1)).max(1);
+            left -= count;
             let piece = &mut piece[..size * count];
             input.read_exact(piece).map_err(damaged)?;
             for (n, at) in places.by_ref().take(count).enumerate() {
@@ -179,10 +214,22 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
         self.geometry.shape[..X::RANK].iter().map(|&n| u64::from(n)).collect()
     }
 
+    /// A field of the same shape and background without active elements.
+    fn empty(&self) -> Result<Self, ShapeError> {
+        if Map::<R, L, X>::is_unbounded() {
+            return Ok(Self::unbounded().with_background(self.background()));
+        }
+        let fresh = Self::with_extents(self.geometry.shape.map(|n| n as usize))?;
+        Ok(if Map::<R, L, X>::any_sparse() { fresh.with_background(self.background()) } else { fresh })
+    }
+
     /// The extents of the array of member `m`.
-    fn array_shape(&self, m: usize) -> Vec<u64> {
+    fn array_shape(&self, m: usize, elements: &Elements) -> Vec<u64> {
         let components = R::Elements::MEMBERS[m].components;
-        let mut shape = self.extents();
+        let mut shape = match elements {
+            Elements::All(_) => self.extents(),
+            Elements::Active(places) => vec![places.len() as u64],
+        };
         if components != 1 {
             shape.push(components as u64);
         }
@@ -198,6 +245,16 @@ fn array_name<R: Record>(m: usize) -> &'static str {
 /// The name of its file in the archive.
 fn entry<R: Record>(m: usize) -> String {
     format!("{}.npy", array_name::<R>(m))
+}
+
+/// The name of the indices of the active elements that a member's array holds.
+fn active_entry<R: Record, L: Layout<X>, X: Axes>(m: usize) -> String {
+    if L::BRANCHES == 1 { active::NAME.to_owned() } else { own_active_entry::<R>(m) }
+}
+
+/// The same where the member has its own.
+fn own_active_entry<R: Record>(m: usize) -> String {
+    format!("allotrope_active_{}.npy", array_name::<R>(m))
 }
 
 /// A part of an archive, to be read.

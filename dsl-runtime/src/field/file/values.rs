@@ -42,7 +42,8 @@ pub(super) fn put<R: Record, L: Layout<X>, X: Axes>(
     if let Some(wrong) = R::Elements::wrong(m, bytes) {
         return Err(wrong);
     }
-    let (first, distance) = handle.component(m, at);
+    // It becomes active, where it was not.
+    let (first, distance) = handle.component_mut(m, at);
     for (component, from) in bytes.chunks_exact(spec.scalar).enumerate() {
         let to = first.wrapping_add(component * distance);
         // SAFETY: a component of an element within the shape has so many bytes, and these are of a value of its type;
