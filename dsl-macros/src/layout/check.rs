@@ -3,7 +3,7 @@
 use syn::Ident;
 
 use super::model::{
-    AXES, Axis, AxisList, Branch, Group, Kind, LONGEST_NAME, Layout, List, MOST_BRANCHES, MOST_NODES, NAMED, Node, Pad,
+    AXES, Axis, AxisList, Branch, Group, Kind, LONGEST_NAME, Layout, MOST_BRANCHES, MOST_NODES, NAMED, Node, Pad,
     Place, PlaceKind, Size, Sizes, Step, WIDEST_PAD, WORDS,
 };
 use crate::diagnostics::{Code, Diagnostics};
@@ -48,7 +48,8 @@ fn check_branches(layout: &Layout, errors: &mut Diagnostics) {
         }
     }
     for step in layout.branches.iter().flat_map(|branch| &branch.steps) {
-        if let Step::Node(Node { kind: Kind::Hash, name, .. }) | Step::List(List { name, .. }) = step {
+        if matches!(step, Step::Node(Node { kind: Kind::Hash, .. }) | Step::List(_)) {
+            let name = step.name();
             errors
                 .error(Code::WrongBranch, name, format!("`{name}` stands in a layout of several branches"))
                 .note("all members of a field have the same indices, and a list's entries are whole records")
@@ -58,13 +59,9 @@ fn check_branches(layout: &Layout, errors: &mut Diagnostics) {
     let axes = |branch: &Branch| -> Option<Vec<Axis>> {
         let mut axes = Vec::new();
         for step in &branch.steps {
-            match step {
-                Step::Node(Node { axes: Some(list), .. }) | Step::List(List { axes: Some(list), .. })
-                    if list.unknown.is_empty() =>
-                {
-                    axes.extend(&list.axes);
-                }
-                Step::Place(_) | Step::Pad(_) => {}
+            match step.axes() {
+                Some(list) if list.unknown.is_empty() => axes.extend(&list.axes),
+                None if matches!(step, Step::Place(_) | Step::Pad(_)) => {}
                 _ => return None,
             }
         }
@@ -351,15 +348,11 @@ fn check_product(node: &Node, along: &mut [u128; AXES.len()], errors: &mut Diagn
 fn check_axes_used(branch: &Branch, errors: &mut Diagnostics) {
     let mut used: Vec<(Axis, &AxisList)> = Vec::new();
     for step in &branch.steps {
-        match step {
-            Step::Node(Node { axes: Some(list), .. }) | Step::List(List { axes: Some(list), .. })
-                if list.unknown.is_empty() =>
-            {
-                used.extend(list.axes.iter().map(|axis| (*axis, list)));
-            }
-            Step::Place(_) | Step::Pad(_) => {}
+        match step.axes() {
+            Some(list) if list.unknown.is_empty() => used.extend(list.axes.iter().map(|axis| (*axis, list))),
+            None if matches!(step, Step::Place(_) | Step::Pad(_)) => {}
             // Who knows which axes this was to have.
-            Step::Node(_) | Step::List(_) | Step::Unknown(_) => return,
+            _ => return,
         }
     }
     let Some(&(highest, list)) = used.iter().max_by_key(|(axis, _)| *axis) else { return };

@@ -28,7 +28,7 @@ fn expand_branch(layout: &Layout, branch: &Branch, check: &mut Option<TokenStrea
     for step in &branch.steps {
         match step {
             Step::Node(node) => nodes.push(node),
-            Step::List(found) => list = Some(found),
+            Step::List(found) => list = Some(&**found),
             Step::Place(found) => inner = place(found, layout, check),
             Step::Pad(found) => pad = Some(found),
             Step::Unknown(_) => {}

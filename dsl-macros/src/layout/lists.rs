@@ -1,7 +1,7 @@
 //! The rules of `dynamic`.
 
 use super::check::check_axes;
-use super::model::{Branch, List, Node, Size, Step};
+use super::model::{Axis, Branch, List, Size, Step};
 use crate::diagnostics::{Code, Diagnostics};
 
 /// The most entries that an index can count.
@@ -63,12 +63,7 @@ fn check_axis(list: &List, branch: &Branch, number: usize, errors: &mut Diagnost
         return;
     };
     let others = branch.steps.iter().enumerate().filter(|&(other, _)| other != number);
-    let names = |step: &Step| match step {
-        Step::Node(Node { axes: Some(other), .. }) | Step::List(List { axes: Some(other), .. }) => {
-            other.axes.contains(&axis)
-        }
-        _ => false,
-    };
+    let names = |step: &Step| step.axes().is_some_and(|other| other.axes.contains(&axis));
     if let Some((_, other)) = others.into_iter().find(|(_, step)| names(step)) {
         let letter = axis.letter();
         errors
@@ -79,7 +74,20 @@ fn check_axis(list: &List, branch: &Branch, number: usize, errors: &mut Diagnost
             )
             .note("an entry's position in its list is its index along that axis")
             .help("give the list an axis that no other node names");
+        return;
     }
+    check_last(list, axis, branch, errors);
+}
+
+/// An entry's index is that of its list, and its position behind it.
+fn check_last(list: &List, axis: Axis, branch: &Branch, errors: &mut Diagnostics) {
+    let lists = branch.steps.iter().filter_map(Step::axes).flat_map(|list| &list.axes);
+    let Some(highest) = lists.max().filter(|&&highest| highest > axis) else { return };
+    let (letter, last) = (axis.letter(), highest.letter());
+    errors
+        .error(Code::WrongList, &list.name, format!("axis `{letter}` is the list's own, and `{last}` comes behind it"))
+        .note("an entry's index is that of its list, and its position there comes last")
+        .help(format!("name the axes so that the list's is the last: `dynamic({last}, ..)`"));
 }
 
 /// Entries are records: nothing stands below.

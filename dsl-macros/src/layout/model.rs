@@ -35,12 +35,21 @@ pub(super) enum Step {
     Node(Node),
     Place(Place),
     Pad(Pad),
-    List(List),
+    List(Box<List>),
     /// A word that the language has not.
     Unknown(Ident),
 }
 
 impl Step {
+    /// The axes that a node goes over, where they can be told.
+    pub(super) fn axes(&self) -> Option<&AxisList> {
+        match self {
+            Self::Node(node) => node.axes.as_ref(),
+            Self::List(list) => list.axes.as_ref(),
+            Self::Place(_) | Self::Pad(_) | Self::Unknown(_) => None,
+        }
+    }
+
     /// The word itself.
     pub(super) fn name(&self) -> &Ident {
         match self {
@@ -228,7 +237,7 @@ fn step(word: Word) -> Step {
         "pointer" => return Step::Node(node(word, Kind::Pointer)),
         "bitmasked" => return Step::Node(node(word, Kind::Bitmasked)),
         "hash" => return Step::Node(node(word, Kind::Hash)),
-        "dynamic" => return Step::List(list(word)),
+        "dynamic" => return Step::List(Box::new(list(word))),
         "pad" => return Step::Pad(pad(word)),
         "place" => {
             let groups = word.arguments.unwrap_or_default().into_iter().map(group).collect();

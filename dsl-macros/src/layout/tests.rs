@@ -357,6 +357,7 @@ fn sparse_nodes_in_wrong_places() {
     assert_eq!(codes(quote!(dense(i).dynamic(i, 64).aos)), [Code::WrongList]);
     assert_eq!(codes(quote!(dense(i).dynamic(j, 64).dense(k, 8).aos)), [Code::WrongList]);
     assert_eq!(codes(quote!(dense(i).dynamic(k, 64).aos)), [Code::MissingAxis]);
+    assert_eq!(codes(quote!(dense(j).dynamic(i, 64).aos)), [Code::WrongList]);
     assert_eq!(codes(quote!(Node: dense(ij).place([v]) + hash(ij).place([m]))), [Code::WrongBranch]);
     assert_eq!(codes(quote!(Node: dense(ij).place([v]) + pointer(ij).dense(ij, 8).place([m]))), []);
 }

@@ -73,7 +73,9 @@ impl<C, const AXIS: u32, const MOST: usize, const CHUNK: usize> List<C, AXIS, MO
     const fn axis<X: Axes>() -> usize {
         assert!(MOST > 0 && MOST < 1 << 31, "the maximum of a list is 1 to i32::MAX");
         assert!(CHUNK <= MOST, "a list's blocks are not larger than its maximum");
-        order::<X>(AXIS).0[0]
+        let axis = order::<X>(AXIS).0[0];
+        assert!(axis + 1 == X::RANK, "a list's axis is the last");
+        axis
     }
 
     /// The list at a place.

@@ -91,18 +91,6 @@ fn the_body_of_an_ordered_loop_is_top_level() {
 }
 
 #[test]
-fn heads_of_later_versions() {
-    body("for a in p { for e in u.row(a) {} }", &["A0113"]);
-    body("#[relaxed] for a in p { p[a] = 1.0; p[q[a]] = 2.0; p[q[a]] += 1; p[0] *= p[1]; p[n].m = 3; }", &[]);
-    body("#[relaxed] for a in p { p[q[a]] /= 2.0; p[a] |= 1; p[a] <<= 1; }", &["A0212", "A0212"]);
-    body("#[relaxed] for a in p { p[a] /= 2.0; p[q[a]] = 1.0; }", &["A0212"]);
-    body("#[relaxed] for a in p { p[a] /= 2.0; let y = p[a]; }", &[]);
-    body("#[relaxed] for a in p { p[n] = f(p); }", &["A0214"]);
-    body("#[relaxed] #[serial] for a in p { p[n] = x; }", &["A0124"]);
-    body("for a in p { #[relaxed] for b in 0..3 { p[a] = x; } }", &["A0124"]);
-}
-
-#[test]
 fn scatter_names_a_schedule_of_a_parallel_loop() {
     for schedule in ["Serial", "Atomic", "Private", "Auto"] {
         body(&format!("#[scatter({schedule})] for a in q {{ p[n] += q[a]; }}"), &[]);

@@ -14,6 +14,7 @@ mod names;
 mod races;
 mod random_kernels;
 mod signatures;
+mod topology;
 mod values;
 
 /// The expansion of a kernel, formatted.

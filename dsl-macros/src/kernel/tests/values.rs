@@ -38,10 +38,6 @@ fn members_and_fields_are_no_values() {
 
 #[test]
 fn methods_of_fields_and_elements() {
-    for method in ["append(a, x)", "activate(a)"] {
-        body(&format!("for a in p {{ p.{method}; }}"), &["A0215"]);
-        body(&format!("p.{method}; p.m.{method};"), &["A0215", "A0215"]);
-    }
     for method in ["clamped()", "clamped(a, b)", "wrapped(a, b)", "or(a)", "or(a, x, x)"] {
         body(&format!("for a in p {{ p.{method}; }}"), &["A0208"]);
         body(&format!("p.m.{method};"), &["A0208"]);

@@ -1,4 +1,4 @@
-//! A field of this version has all of its elements.
+//! The index of the list comes first.
 use allotrope::prelude::*;
 
 #[kernel]
