@@ -76,12 +76,12 @@ fn check_axis(list: &List, branch: &Branch, number: usize, errors: &mut Diagnost
             .help("give the list an axis that no other node names");
         return;
     }
-    check_last(list, axis, branch, errors);
+    check_last(list, axis, &branch.steps[..number], errors);
 }
 
 /// An entry's index is that of its list, and its position behind it.
-fn check_last(list: &List, axis: Axis, branch: &Branch, errors: &mut Diagnostics) {
-    let lists = branch.steps.iter().filter_map(Step::axes).flat_map(|list| &list.axes);
+fn check_last(list: &List, axis: Axis, before: &[Step], errors: &mut Diagnostics) {
+    let lists = before.iter().filter_map(Step::axes).flat_map(|list| &list.axes);
     let Some(highest) = lists.max().filter(|&&highest| highest > axis) else { return };
     let (letter, last) = (axis.letter(), highest.letter());
     errors

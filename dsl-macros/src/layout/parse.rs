@@ -31,7 +31,11 @@ impl Parse for Syntax {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
         let ahead = input.fork();
         let record = if ahead.parse::<Path>().is_ok() && ahead.peek(Token![:]) {
-            let record = input.parse()?;
+            let record: Path = input.parse()?;
+            // As a path it is read for the sake of a macro of old.
+            if let Some(segment) = record.segments.iter().find(|segment| segment.ident == "try") {
+                return Err(syn::Error::new_spanned(segment, "`try` is a keyword, and no record's name"));
+            }
             input.parse::<Token![:]>()?;
             Some(record)
         } else {

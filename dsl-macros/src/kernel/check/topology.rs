@@ -3,14 +3,15 @@
 use std::collections::BTreeSet;
 
 use crate::diagnostics::{Code, Diagnostics};
+use crate::kernel::access::clashes;
 use crate::kernel::model::{Access, Call, Kernel, Loop, Node, Place, Slot, Topology};
 use crate::kernel::text::type_text;
 
 pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
     shared(kernel, diagnostics);
-    for found in &kernel.loops {
+    for (number, found) in kernel.loops.iter().enumerate() {
         appends(kernel, found, diagnostics);
-        reads(kernel, found, diagnostics);
+        reads(kernel, number, diagnostics);
     }
 }
 
@@ -103,11 +104,15 @@ fn activates(kernel: &Kernel, found: &Loop, field: usize) -> bool {
 }
 
 /// What is active cannot be told while others change it.
-fn reads(kernel: &Kernel, found: &Loop, diagnostics: &mut Diagnostics) {
+fn reads(kernel: &Kernel, number: usize, diagnostics: &mut Diagnostics) {
+    let found = &kernel.loops[number];
+    // A race between the turns of an outer loop is told as what it is.
+    let races = found.topology.iter().any(|asked| asked.call == Call::All) && !clashes(kernel, number).is_empty();
     let mut told = BTreeSet::new();
     for asked in &found.topology {
         let own = matches!(asked.place, Place::Own | Place::Places(_)) && asked.call != Call::All;
-        if asked.call.changes() || own || !activates(kernel, found, asked.field) || !told.insert(asked.field) {
+        let told_already = asked.call == Call::All && races;
+        if asked.call.changes() || own || told_already || !activates(kernel, found, asked.field) || !told.insert(asked.field) {
             continue;
         }
         let name = &kernel.fields[asked.field].name;
