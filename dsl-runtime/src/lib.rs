@@ -68,6 +68,10 @@
 //! | `dense(ij)`, `dense(ji)` | a full block over the named axes, row-major, column-major |
 //! | `dense(ij, 8)`, `dense(ij, (4, 2))` | of constant size; any size, powers of two or not. The outermost node takes as many as the shape needs |
 //! | `morton(ij, 8)`, `morton(ij, (4, 16))` | a full block in Z-order, whose sizes are powers of two: cells that are near along any axis are near in memory |
+//! | `pointer(ij)`, `pointer(ij, 16)` | a block whose cells are allocated when they are first written |
+//! | `bitmasked(ij, 8)`, `bitmasked(ij)` | a full block with one activity bit a cell |
+//! | `hash(ijk)` | the outermost node of an unbounded field, whose cells are found by hashing |
+//! | `dynamic(j, 64)`, `dynamic(j, 1024, chunk = 32)` | the innermost node: a list, up to that many entries, in one block or in blocks of 32 |
 //! | `.pad(64)` before the place | each record (`.aos`) or run of values (the others) begins at a multiple of so many bytes, a power of two up to 4096 |
 //! | `.aos` | record after record |
 //! | `.soa` | for each member, all values of the node |
@@ -76,8 +80,66 @@
 //! | `chain + chain` | branches: members under different nodes, `layout!(Node: dense(ij).place([v]) + dense(ji).dense(j, 8).place([m]))`. Every member stands in one of them, all go over the same axes, and there are four at most. A loop then names the branch by a member: `for ij in grid.m` |
 //!
 //! Named ones, for any axes: [`Aos`](layout::Aos), [`Soa`](layout::Soa), [`Split`](layout::Split), [`AoSoA<N>`](layout::AoSoA) (blocks of `N` along the last
-//! axis, each member by member), [`Blocked<N>`](layout::Blocked) (blocks of `N` along every axis) and [`Morton<N>`](layout::Morton) (the same in
-//! Z-order). A layout has six nodes with a size at most.
+//! axis, each member by member), [`Blocked<N>`](layout::Blocked) (blocks of `N` along every axis), [`Morton<N>`](layout::Morton) (the same in
+//! Z-order), [`Sparse<N>`](layout::Sparse) (pointers to such blocks) and [`SparseHash<N>`](layout::SparseHash). A layout has six nodes with a size at most.
+//!
+//! # Sparse fields and lists
+//!
+//! Where a layout has `pointer`, `bitmasked`, `hash` or `dynamic` nodes, memory follows what is active. Activity is that of the innermost of them: the
+//! cells of a `dense` block below a `pointer` are active together, those of a `bitmasked` block each by itself.
+//!
+//! - A new sparse field is empty. Reads of an inactive cell read the background and never make it active. Every write and accumulation that is executed does, of zero
+//!   too, and so do `activate` and `append`, with the whole path to the cell. A cell that becomes active anew holds the background.
+//! - Loops run over the active elements, each exactly once, in memory order. Which these are is fixed when the loop starts; `deactivate` and `remove` take
+//!   effect when it ends.
+//! - Blocks that are given back (`deactivate`, `clear`, [`prune`](Field::prune)) are reused. What the field holds, [`bytes`](Field::bytes), does not grow over steps.
+//! - `dynamic` lists count their entries along the last axis, which `new` leaves out: `Field::<u32, layout!(dense(i).dynamic(j, 64).aos)>::new([n])` is over [`Ij`]. Fields under
+//!   `hash` are made by [`unbounded`](Field::unbounded), and take any signed index.
+//!
+//! | on the host | in a parallel loop | |
+//! | --- | --- | --- |
+//! | [`is_active`](Field::is_active), [`activate`](Field::activate), [`deactivate`](Field::deactivate) | the same; `grid.m.activate(ij)` for the branch of a member | cells |
+//! | [`append`](Field::append), [`try_append`](Field::try_append), [`remove`](Field::remove) | the same; an `append` to a full list is an error that names field, list and kernel | entries of lists |
+//! | [`row`](Field::row), [`row_len`](Field::row_len) | `for q in near.row(p)`, an inner loop, whose `q` is a whole index; `near.len(p)` | a list |
+//! | [`truncate`](Field::truncate), [`retain`](Field::retain), [`clear`](Field::clear), [`prune`](Field::prune) | | all |
+//! | [`active_len`](Field::active_len), [`active_iter`](Field::active_iter), [`blocks`](Field::blocks), [`background`](Field::background) | | what there is |
+//!
+//! ```
+//! use allotrope::prelude::*;
+//!
+//! /// The numbers of the particles in each cell of an unbounded plane.
+//! type Cells = layout!(hash(ij).dynamic(k, 64).aos);
+//!
+//! #[kernel]
+//! fn bin(x: &Field<Vec2, _>, cells: &mut Field<u32, Cells, Ijk>, width: f32) {
+//!     cells.clear();
+//!     for p in x {
+//!         cells.append((x[p] / width).floor().as_ivec2(), p as u32);
+//!     }
+//! }
+//!
+//! #[kernel]
+//! fn density(x: &Field<Vec2, _>, cells: &Field<u32, Cells, Ijk>, density: &mut Field<f32, _>, width: f32) {
+//!     for p in x {
+//!         let cell = (x[p] / width).floor().as_ivec2();
+//!         let mut sum = 0.0;
+//!         for (a, b) in unroll!(-1..2, -1..2) {
+//!             for q in cells.row(cell + ivec2(a, b)) {
+//!                 sum += (1.0 - (x[p] - x[cells[q]]).length() / width).max(0.0);
+//!             }
+//!         }
+//!         density[p] = sum;
+//!     }
+//! }
+//!
+//! let mut x = Field::<Vec2, Soa>::new([3]);
+//! x.copy_from_slice(&[vec2(-7.0, 2.0), vec2(-7.5, 2.0), vec2(1e6, 0.0)]);
+//! let mut cells = Field::<u32, Cells, Ijk>::unbounded();
+//! let mut sums = Field::<f32, Soa>::new([3]);
+//! bin(&x, &mut cells, 1.0);
+//! density(&x, &cells, &mut sums, 1.0);
+//! assert_eq!(sums.to_vec(), [1.5, 1.5, 1.0]);
+//! ```
 //!
 //! # Fields
 //!
@@ -128,6 +190,7 @@
 //! | `for (i, j) in grid.colored(2, c)` | those whose coordinates modulo 2 spell `c`, the first axis most significant |
 //! | `for (i, j) in grid.interior(1).checkerboard(c)` | heads combine: a colour of an interior or of a border |
 //! | `for i in 0..n`, `for (i, j) in ndrange!(0..n, 0..m)` | a range, without a field |
+//! | `for q in near.row(p)` | inner loops only: a list's entries, as whole indices |
 //! | `for (a, b) in unroll!(0..3, 0..3)` | inner loops only: constants, unrolled at compile time |
 //! | `for offset in unroll!(X, 0..3)` | the same over all axes of the type parameter `X`, see [`spatial`] |
 //! | `#[serial] for ..` | any iterator, on one thread, with any access |
@@ -163,6 +226,9 @@
 //! | only accumulates, with one group of operators: {`+=`, `-=`}, {`*=`}, {`min_assign`}, {`max_assign`}, {`&=`}, {`\|=`}, {`^=`} | any index | accumulate |
 //! | only `fetch_add`, `fetch_sub`, `fetch_min`, `fetch_max`, `fetch_or`, `fetch_and`, `fetch_xor`, `swap`, `compare_exchange`, which return the old value of an integer (the last five of a `bool` too) | any index | together |
 //! | anything else | | a compile error, which names the other access that it clashes with, and the cure |
+//!
+//! Activity is of a field, or of the branch of a member. A loop that makes elements of a field active at foreign indices asks for it (`is_active`, `row`, `len`) at its own index alone
+//! ([A0227](errors::A0227)), and beside `append` it accesses what is its own: the elements that it runs over, and the entries of its own list ([A0226](errors::A0226)).
 //!
 //! An index is a loop's own when each loop variable stands alone in a place of it: `p`, `ij`, `(j, i)`, `(i, 0)`, and `(i, k)` with any `k`. These are refused, among others:
 //!
@@ -228,11 +294,6 @@
 //! | --- | --- |
 //! | `ALLOTROPE_THREADS` | the number of threads, where the schedule does not; else all that the machine has |
 //! | `ALLOTROPE_CPU` | the instruction set: `baseline`, `avx2` or `avx512`, where the schedule does not; else the best that the machine has |
-//!
-//! # Not available yet
-//!
-//! Sparse and growing nodes: `pointer`, `bitmasked`, `hash`, `dynamic`.
-//! Where one of these words is used, the error says so.
 
 // Expansions name this crate from outside; inside (tests, examples in docs) it is the same name.
 extern crate self as allotrope;

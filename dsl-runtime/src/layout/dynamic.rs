@@ -5,8 +5,8 @@ use super::node::{Inner, order};
 use crate::axes::{Axes, MAX_AXES, PerAxis};
 use crate::element::Sealed;
 use crate::store::Store;
+use crate::store::list::Head;
 use crate::store::slot::Slot;
-use core::sync::atomic::{AtomicU32, Ordering};
 
 /// `dynamic(j, 1024, chunk = 32)` with the dense nodes above it, `C`: each cell is a list along the axis of `AXIS`, of at most `MOST`
 /// entries in blocks of `CHUNK`, or in one block where that is 0.
@@ -14,54 +14,8 @@ use core::sync::atomic::{AtomicU32, Ordering};
 pub struct List<C, const AXIS: u32, const MOST: usize, const CHUNK: usize>(core::marker::PhantomData<fn() -> C>);
 impl<C, const AXIS: u32, const MOST: usize, const CHUNK: usize> Sealed for List<C, AXIS, MOST, CHUNK> {}
 
-/// A list: how many entries it has, and where they lie. Zeroed memory is an empty list.
-#[derive(Debug)]
-#[repr(C)]
-#[doc(hidden)]
-pub struct Head {
-    /// Entries, and for a moment those that found the list full.
-    len: AtomicU32,
-    /// Its block, or the pointers to its blocks.
-    data: Slot,
-}
-
 const HEAD: usize = size_of::<Head>();
 const SLOT: usize = size_of::<Slot>();
-
-impl Head {
-    /// How many entries there are.
-    #[inline(always)]
-    pub(crate) fn len(&self, most: usize) -> usize {
-        (self.len.load(Ordering::Relaxed) as usize).min(most)
-    }
-
-    /// Takes the place behind the last entry, if there is one.
-    #[inline(always)]
-    pub(crate) fn reserve(&self, most: usize) -> Option<usize> {
-        // A full list is told without a write, so that its count never grows far beyond.
-        if self.len.load(Ordering::Relaxed) as usize >= most {
-            return None;
-        }
-        let place = self.len.fetch_add(1, Ordering::Relaxed) as usize;
-        if place >= most {
-            self.len.fetch_sub(1, Ordering::Relaxed);
-            return None;
-        }
-        Some(place)
-    }
-
-    /// Makes the list have so many entries at least. Returns whether it had fewer.
-    #[inline(always)]
-    pub(crate) fn extend(&self, len: usize) -> bool {
-        (self.len.load(Ordering::Relaxed) as usize) < len
-            && (self.len.fetch_max(len as u32, Ordering::Relaxed) as usize) < len
-    }
-
-    /// Sets the number of entries. The caller has the list to itself.
-    pub(crate) fn set_len(&self, len: usize) {
-        self.len.store(len as u32, Ordering::Relaxed);
-    }
-}
 
 impl<C, const AXIS: u32, const MOST: usize, const CHUNK: usize> List<C, AXIS, MOST, CHUNK> {
     /// Entries of a block.

@@ -69,7 +69,7 @@ pub unsafe trait Levels<X: Axes>: Copy + Send + Sync + Sealed + 'static {
         block: &Block,
         store: &Store,
         depth: usize,
-    ) -> *mut super::dynamic::Head;
+    ) -> *mut crate::store::list::Head;
 
     /// Visits all blocks in the order of the tree.
     ///
@@ -118,7 +118,7 @@ unsafe impl<X: Axes> Levels<X> for Leaf {
         node
     }
 
-    unsafe fn head<const GROW: bool>(_: *mut u8, _: &Block, _: &Store, _: usize) -> *mut super::dynamic::Head {
+    unsafe fn head<const GROW: bool>(_: *mut u8, _: &Block, _: &Store, _: usize) -> *mut crate::store::list::Head {
         core::ptr::null_mut()
     }
 

@@ -14,11 +14,11 @@ pub(crate) mod place;
 mod pointer;
 mod sparse;
 
+#[doc(hidden)]
+pub use crate::store::list::Head;
 pub use bitmasked::Masked;
 pub use branches::Both;
 pub use dense::Dense;
-#[doc(hidden)]
-pub use dynamic::Head;
 pub use dynamic::List;
 pub(crate) use geometry::Geometry;
 #[doc(hidden)]

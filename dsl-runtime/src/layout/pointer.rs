@@ -65,7 +65,7 @@ unsafe impl<C: Inner<X>, Rest: Levels<X>, X: Axes> Levels<X> for Table<C, Rest> 
         block: &Block,
         store: &Store,
         depth: usize,
-    ) -> *mut super::dynamic::Head {
+    ) -> *mut crate::store::list::Head {
         let offset = cell_offset::<C, X>(block, const { &Rest::SPAN }, SLOT);
         // SAFETY: the cell is one of the node's.
         let slot = unsafe { slot(node.add(offset)) };

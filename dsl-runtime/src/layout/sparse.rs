@@ -4,9 +4,9 @@ use super::levels::{Block, Brick, Levels, ListSpec};
 use super::node::Root;
 use super::{Geometry, Inner, Layout, Map};
 use crate::axes::{Axes, MAX_AXES, per_axis, sum};
-use crate::layout::dynamic::Head;
 use crate::record::Record;
 use crate::store::active::ActiveList;
+use crate::store::list::Head;
 use crate::store::{Sizes, Store};
 
 impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {

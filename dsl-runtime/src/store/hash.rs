@@ -3,9 +3,7 @@
 //! Lookups take no lock. Whoever makes a block holds the lock of its shard. A table that has become too small is replaced by a larger
 //! one with the same entries and kept until nobody can be reading it; blocks never move.
 
-use core::cell::UnsafeCell;
-
-use super::sync::{AtomicPtr, AtomicUsize, Mutex, Ordering, lock};
+use super::sync::{AtomicPtr, AtomicUsize, FIRST, Mutex, Ordering, SHARDS, Shared, lock};
 use crate::axes::MAX_AXES;
 
 /// Coordinates of one of the root's cells.
@@ -41,13 +39,9 @@ struct Table {
 /// An entry. Its key is written before its block is put, and never again.
 #[derive(Debug)]
 struct Cell {
-    key: UnsafeCell<Key>,
+    key: Shared<Key>,
     block: AtomicPtr<u8>,
 }
-
-/// Powers of two.
-const SHARDS: usize = if cfg!(allotrope_model) { 1 } else { 16 };
-const FIRST: usize = if cfg!(allotrope_model) { 2 } else { 16 };
 
 /// Mixes coordinates: neighbours go far apart.
 #[inline(always)]
@@ -61,7 +55,7 @@ fn mixed(key: &Key) -> usize {
 
 impl Table {
     fn new(size: usize) -> *mut Self {
-        let cell = || Cell { key: UnsafeCell::new([0; MAX_AXES]), block: AtomicPtr::new(core::ptr::null_mut()) };
+        let cell = || Cell { key: Shared::new([0; MAX_AXES]), block: AtomicPtr::new(core::ptr::null_mut()) };
         Box::into_raw(Box::new(Self { cells: (0..size).map(|_| cell()).collect() }))
     }
 
@@ -74,7 +68,7 @@ impl Table {
             let cell = &self.cells[n];
             let block = cell.block.load(Ordering::Acquire);
             // SAFETY: the key was written before the block was put, which has been seen, and is not written again.
-            if block.is_null() || unsafe { *cell.key.get() } == *key {
+            if block.is_null() || unsafe { cell.key.get() } == *key {
                 return (cell, block);
             }
             n = (n + 1) & mask;
@@ -88,7 +82,7 @@ impl Table {
     unsafe fn put(&self, key: &Key, block: *mut u8) {
         let (cell, _) = self.cell(key, mixed(key) / SHARDS);
         // SAFETY: nobody reads the key of a cell without a block, and the lock keeps other writers away.
-        unsafe { *cell.key.get() = *key };
+        unsafe { cell.key.set(*key) };
         cell.block.store(block, Ordering::Release);
     }
 }
@@ -144,7 +138,7 @@ impl Hash {
                 let block = cell.block.load(Ordering::Acquire);
                 if !block.is_null() {
                     // SAFETY: as in `Table::cell`.
-                    visit(unsafe { *cell.key.get() }, block);
+                    visit(unsafe { cell.key.get() }, block);
                 }
             }
         }
@@ -185,7 +179,7 @@ impl Hash {
                 for cell in &unsafe { &*table }.cells {
                     let block = cell.block.load(Ordering::Acquire);
                     // SAFETY: as in `Table::cell`.
-                    let key = unsafe { *cell.key.get() };
+                    let key = unsafe { cell.key.get() };
                     if !block.is_null() && keep(key, block) {
                         kept.push((key, block));
                     }
@@ -233,7 +227,7 @@ impl Shard {
                     let block = cell.block.load(Ordering::Acquire);
                     if !block.is_null() {
                         // SAFETY: as in `Table::cell`; the lock is held.
-                        unsafe { larger_table.put(&*cell.key.get(), block) };
+                        unsafe { larger_table.put(&cell.key.get(), block) };
                     }
                 }
                 tables.push(larger);

@@ -5,22 +5,53 @@
 
 pub(crate) mod active;
 pub(crate) mod hash;
+pub(crate) mod list;
 pub(crate) mod paths;
 pub(crate) mod pool;
 pub(crate) mod slot;
 
-/// What slots and the hash are made of: their tests model it.
+/// What slots, lists and the hash are made of: their tests model it.
 mod sync {
-    pub(super) use core::sync::atomic::{AtomicPtr, AtomicUsize, Ordering};
+    pub(super) use core::sync::atomic::{AtomicPtr, AtomicU32, AtomicUsize, Ordering};
     pub(super) use std::sync::Mutex;
     use std::sync::{MutexGuard, PoisonError};
+
+    /// Into how many parts a hash is cut, each with a lock, and how many cells the first table of one has: powers of two.
+    pub(super) const SHARDS: usize = 16;
+    pub(super) const FIRST: usize = 16;
 
     pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
         mutex.lock().unwrap_or_else(PoisonError::into_inner)
     }
+
     /// Lets the thread that is making a block go on.
     pub(super) fn pause() {
         std::thread::yield_now();
+    }
+
+    /// A value that is read and written under rules of its own.
+    #[derive(Debug)]
+    pub(super) struct Shared<T>(core::cell::UnsafeCell<T>);
+
+    impl<T: Copy> Shared<T> {
+        pub(super) fn new(value: T) -> Self {
+            Self(core::cell::UnsafeCell::new(value))
+        }
+
+        /// # Safety
+        /// Nobody writes it meanwhile.
+        #[inline(always)]
+        pub(super) unsafe fn get(&self) -> T {
+            // SAFETY: as the caller promises.
+            unsafe { *self.0.get() }
+        }
+
+        /// # Safety
+        /// Nobody reads or writes it meanwhile.
+        pub(super) unsafe fn set(&self, value: T) {
+            // SAFETY: as the caller promises.
+            unsafe { *self.0.get() = value }
+        }
     }
 }
 

@@ -12,7 +12,7 @@ const BUSY: usize = 1;
 
 impl Slot {
     /// An empty slot.
-    #[cfg(any(test, allotrope_model))]
+    #[cfg(test)]
     pub(crate) fn empty() -> Self {
         Self(AtomicPtr::new(core::ptr::null_mut()))
     }

@@ -112,7 +112,12 @@ fn reads(kernel: &Kernel, number: usize, diagnostics: &mut Diagnostics) {
     for asked in &found.topology {
         let own = matches!(asked.place, Place::Own | Place::Places(_)) && asked.call != Call::All;
         let told_already = asked.call == Call::All && races;
-        if asked.call.changes() || own || told_already || !activates(kernel, found, asked.field) || !told.insert(asked.field) {
+        if asked.call.changes()
+            || own
+            || told_already
+            || !activates(kernel, found, asked.field)
+            || !told.insert(asked.field)
+        {
             continue;
         }
         let name = &kernel.fields[asked.field].name;
