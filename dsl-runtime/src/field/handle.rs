@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 use core::sync::atomic::Ordering;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 
 use super::storage::Storage;
 use crate::axes::{Axes, MAX_AXES, per_axis, sum};
@@ -295,7 +295,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     /// The active elements of a member's sparse branch, as they are now: the list is made anew where activity has changed.
     pub(crate) fn actives(&self, m: usize) -> Arc<ActiveList> {
         let store = self.store(m);
-        let mut actives = store.actives.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut actives = store.actives.lock();
         let stale = store.take_mark();
         match &actives.newest {
             Some(list) if !stale => Arc::clone(list),

@@ -207,7 +207,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
     fn forget(&mut self) {
         for store in self.storage.stores_mut() {
             store.mark();
-            let actives = store.actives.get_mut().unwrap_or_else(PoisonError::into_inner);
+            let actives = store.actives.get_mut();
             *actives = Default::default();
         }
     }
@@ -310,7 +310,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
 
     /// Notes that the element at a place of a sparse branch is to become inactive.
     pub(crate) fn defer(&self, m: usize, at: [u32; MAX_AXES]) {
-        self.store(m).pending.lock().unwrap_or_else(PoisonError::into_inner).push(at);
+        self.store(m).pending.lock().push(at);
     }
 
     /// Makes inactive what was noted, where the field is held exclusively.
@@ -320,7 +320,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
         }
         for m in branches::<R, L, X>() {
             let store = self.store(m);
-            let mut pending = core::mem::take(&mut *store.pending.lock().unwrap_or_else(PoisonError::into_inner));
+            let mut pending = core::mem::take(&mut *store.pending.lock());
             if pending.is_empty() {
                 continue;
             }

@@ -6,22 +6,23 @@
 pub(crate) mod active;
 pub(crate) mod hash;
 pub(crate) mod list;
+pub(crate) mod lock;
 pub(crate) mod paths;
 pub(crate) mod pool;
 pub(crate) mod slot;
 
 /// What slots, lists and the hash are made of: their tests model it.
 mod sync {
+    pub(super) use super::lock::Lock as Mutex;
+    use super::lock::{Held, Lock};
     pub(super) use core::sync::atomic::{AtomicPtr, AtomicU32, AtomicUsize, Ordering};
-    pub(super) use std::sync::Mutex;
-    use std::sync::{MutexGuard, PoisonError};
 
     /// Into how many parts a hash is cut, each with a lock, and how many cells the first table of one has: powers of two.
     pub(super) const SHARDS: usize = 16;
     pub(super) const FIRST: usize = 16;
 
-    pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-        mutex.lock().unwrap_or_else(PoisonError::into_inner)
+    pub(super) fn lock<T>(lock: &Lock<T>) -> Held<'_, T> {
+        lock.lock()
     }
 
     /// Lets the thread that is making a block go on.
@@ -56,12 +57,12 @@ mod sync {
 }
 
 use core::sync::atomic::{AtomicBool, Ordering};
-use std::sync::Mutex;
 
 use crate::field::memory::{LINE, Memory};
 use crate::layout::Block;
 use active::Actives;
 use hash::Hash;
+use lock::Lock;
 use pool::Pool;
 
 /// The sizes of what a store holds.
@@ -98,9 +99,9 @@ pub struct Store {
     bricks: Pool,
     /// Whether activity has changed since the list of active blocks was made.
     stale: AtomicBool,
-    pub(crate) actives: Mutex<Actives>,
+    pub(crate) actives: Lock<Actives>,
     /// Elements that a loop has deactivated or removed.
-    pub(crate) pending: Mutex<Vec<Block>>,
+    pub(crate) pending: Lock<Vec<Block>>,
 }
 
 // SAFETY: the addresses are those of memory that the store owns; who may touch it when is settled by the borrow of the field and
@@ -131,8 +132,8 @@ impl Store {
                 .collect(),
             bricks: Pool::new(sizes.brick, sizes.line),
             stale: AtomicBool::new(true),
-            actives: Mutex::default(),
-            pending: Mutex::default(),
+            actives: Lock::default(),
+            pending: Lock::default(),
         }))
     }
 
@@ -203,7 +204,7 @@ impl Store {
 
     /// Frees old lists and tables, which no loop can be using.
     pub(crate) fn settle(&mut self) {
-        self.actives.get_mut().unwrap_or_else(std::sync::PoisonError::into_inner).older.clear();
+        self.actives.get_mut().older.clear();
         if let Some(hash) = &mut self.hash {
             hash.settle();
         }

@@ -1,7 +1,6 @@
 //! Pools: blocks of one size, cut from slabs, reused when they are given back.
 
-use std::sync::{Mutex, PoisonError};
-
+use super::lock::Lock;
 use crate::field::memory::Memory;
 
 /// Blocks of one size. Each begins at a multiple of the alignment.
@@ -9,7 +8,7 @@ use crate::field::memory::Memory;
 pub(crate) struct Pool {
     bytes: usize,
     align: usize,
-    state: Mutex<State>,
+    state: Lock<State>,
 }
 
 #[derive(Debug, Default)]
@@ -43,12 +42,12 @@ impl Pool {
     /// A pool of blocks of so many bytes, a multiple of the alignment.
     pub(crate) fn new(bytes: usize, align: usize) -> Self {
         assert!(bytes > 0 && bytes.is_multiple_of(align));
-        Self { bytes, align, state: Mutex::default() }
+        Self { bytes, align, state: Lock::default() }
     }
 
     /// A block that is nobody else's. Where the system refuses memory, the program ends.
     pub(crate) fn take(&self) -> Fresh {
-        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut state = self.state.lock();
         if let Some(start) = state.free.pop() {
             // Addresses are kept as numbers so that the pool is `Send`; their slab has exposed its provenance.
             return Fresh { start: core::ptr::with_exposed_provenance_mut(start), zero: false };
@@ -70,12 +69,12 @@ impl Pool {
 
     /// Takes back a block that nobody uses any more.
     pub(crate) fn give(&self, start: *mut u8) {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner).free.push(start.expose_provenance());
+        self.state.lock().free.push(start.expose_provenance());
     }
 
     /// Gives the slabs back to the system where no block is in use.
     pub(crate) fn shrink(&mut self) {
-        let state = self.state.get_mut().unwrap_or_else(PoisonError::into_inner);
+        let state = self.state.get_mut();
         if state.free.len() == state.blocks - (state.last - state.next) {
             *state = State::default();
         }
@@ -83,7 +82,7 @@ impl Pool {
 
     /// Bytes of all slabs.
     pub(crate) fn bytes(&self) -> usize {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner).blocks * self.bytes
+        self.state.lock().blocks * self.bytes
     }
 }
 
