@@ -147,24 +147,23 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             let inner = Self::row_place(r);
             let (first, end) = if inside { (0, length) } else { self.cut(block, inner) };
             let at = self.start(block, inner);
-            let mut piece = |first: usize, len: usize| {
-                let (brick, whole) = (brick.start, len == length);
-                run(Run { at, first, len, block, inner, brick, root, whole, fits, owner: PhantomData });
-            };
-            if Self::GRAIN != 1 {
-                if first < end {
-                    piece(first, end - first);
-                }
-                continue;
-            }
-            let mut k = set - first_bit;
+            // One place that runs the body, for pieces of bits and for whole rows: a second one would be a second copy.
+            let mut k = if Self::GRAIN == 1 { set - first_bit } else { first };
             while k < end {
-                let stop = next_bit(bits, first_bit + k, first_bit + length, false) - first_bit;
-                let (from, to) = (k.max(first), stop.min(end));
-                if from < to {
-                    piece(from, to - from);
+                let stop = match Self::GRAIN {
+                    1 => next_bit(bits, first_bit + k, first_bit + length, false) - first_bit,
+                    _ => end,
+                };
+                let (first, stop_here) = (k.max(first), stop.min(end));
+                if first < stop_here {
+                    let (brick, len) = (brick.start, stop_here - first);
+                    let whole = len == length;
+                    run(Run { at, first, len, block, inner, brick, root, whole, fits, owner: PhantomData });
                 }
-                k = next_bit(bits, first_bit + stop, first_bit + length, true) - first_bit;
+                k = match Self::GRAIN {
+                    1 => next_bit(bits, first_bit + stop, first_bit + length, true) - first_bit,
+                    _ => end,
+                };
             }
         }
     }

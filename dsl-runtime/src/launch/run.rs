@@ -5,6 +5,7 @@ use core::marker::PhantomData;
 use super::once;
 use super::space::Space;
 use crate::axes::{MAX_AXES, PerAxis, per_axis};
+use crate::view::HELD;
 
 /// Elements of a space that follow one another along its run axis.
 ///
@@ -70,6 +71,20 @@ impl<S: Space> Run<'_, S> {
             for slot in 0..self.len {
                 once(&mut body, self.cell(slot, true));
             }
+        } else if const { S::SPARSE && S::RUN <= HELD } {
+            // Rows that lead into other blocks are copied, so that all cells are alike.
+            if self.whole {
+                for slot in 0..S::RUN {
+                    once(&mut body, self.cell(slot, true));
+                }
+            } else {
+                for slot in 0..self.len {
+                    if const { S::RUN <= SHORT } {
+                        stay_scalar();
+                    }
+                    once(&mut body, self.cell(slot, true));
+                }
+            }
         } else if self.whole {
             // Head, middle and tail: only the ends reach into neighbouring runs, at constant places.
             let head = halo.min(S::RUN);
@@ -84,7 +99,6 @@ impl<S: Space> Run<'_, S> {
                 once(&mut body, self.cell(slot, false));
             }
         } else if const { S::SPARSE } {
-            // Rows of sparse blocks are often cut: neighbours are looked up at the ends alone.
             let end = self.first + self.len;
             let head = halo.clamp(self.first, end);
             let tail = S::RUN.saturating_sub(halo).clamp(head, end);
@@ -92,9 +106,6 @@ impl<S: Space> Run<'_, S> {
                 once(&mut body, self.cell(k - self.first, false));
             }
             for k in head..tail {
-                if const { S::RUN <= SHORT } {
-                    stay_scalar();
-                }
                 once(&mut body, self.cell(k - self.first, true));
             }
             for k in tail..end {

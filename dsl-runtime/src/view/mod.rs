@@ -21,6 +21,7 @@ pub(crate) use free::Places;
 pub use free::{Boxed, Free, Linear, Var};
 pub use read::Read;
 pub use readable::Readable;
+pub(crate) use row::HELD;
 pub use row::{Buffer, Held, OfLoop, Other, Own, Row, Whose, buffer};
 pub use together::Together;
 
@@ -189,16 +190,17 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
 
     /// A view that reads a path at the run's elements, moved by constant offsets.
     #[inline(always)]
-    pub fn row<const N: usize, S: Space, P: Path<R>, H: Whose>(
+    pub fn row<'b, const N: usize, S: Space, P: Path<R>, H: Whose>(
         self,
         run: &Run<'_, S>,
         _: P,
         offset: [i64; N],
         _: H,
-    ) -> Row<'a, R, L, X, P, S, H> {
+        copy: &'b Buffer<<P::Value as Record>::Elements>,
+    ) -> Row<'a, 'b, R, L, X, P, S, H> {
         let mut by = [0; MAX_AXES];
         by[..N].copy_from_slice(&offset);
-        Row::new(self.handle, self.site, run, by)
+        Row::new(self.handle, self.site, run, by, copy)
     }
 
     /// As [`based`](Self::based), with the same offsets along all axes.

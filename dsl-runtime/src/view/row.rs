@@ -12,8 +12,10 @@ use crate::launch::{Cell as RunCell, Run, Space, any_in_blocks, is_in_blocks, st
 use crate::layout::{Block, Chain, Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record};
 
-/// The longest run whose writes are held back.
-const HELD: usize = 64;
+/// The longest run whose writes are held back, and whose values are copied.
+pub(crate) const HELD: usize = 64;
+/// How far rows that are copied as a whole may be moved.
+const AHEAD: i64 = 8;
 
 /// Whose field a view is of: the macro tells, and a view of a sparse field checks it.
 #[doc(hidden)]
@@ -152,25 +154,24 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
     #[inline(always)]
     fn in_brick(handle: Handle<'a, R, L, X>, site: &'static Site, run: &Run<'_, S>, offset: [i64; MAX_AXES]) -> Self {
         let extent = |a: usize| const { Self::CHAIN.extent }[a] as i64;
-        let inner = |a: usize| run.inner[a] as i64 + if a == S::AXIS { 0 } else { offset[a] };
-        let block = per_axis(
-            #[inline(always)]
-            |a| if a < X::RANK { (run.block[a] as u32).wrapping_add(inner(a).div_euclid(extent(a)) as u32) } else { 0 },
-        );
+        // Along most axes nothing moves, which is known where this is compiled.
+        let moved = |a: usize| a != S::AXIS && offset[a] != 0;
+        let (mut block, mut inner, mut same) = ([0; MAX_AXES], run.inner, true);
+        for a in 0..X::RANK {
+            block[a] = run.block[a] as u32;
+            if moved(a) {
+                let c = run.inner[a] as i64 + offset[a];
+                let over = c.div_euclid(extent(a));
+                inner[a] = c.rem_euclid(extent(a)) as usize;
+                block[a] = block[a].wrapping_add(over as u32);
+                same &= over == 0;
+            }
+        }
         let from = Map::<R, L, X>::start(&handle.geometry, Self::MEMBER).wrapping_add(sum::<X>(
             #[inline(always)]
-            |a| {
-                let place = if a == S::AXIS { 0 } else { inner(a).rem_euclid(extent(a)) };
-                Map::<R, L, X>::inner(Self::MEMBER, a, place as usize)
-            },
+            |a| Map::<R, L, X>::inner(Self::MEMBER, a, if a == S::AXIS { 0 } else { inner[a] }),
         ));
         assert!(!Self::OF_LOOP || core::ptr::eq(run.root, handle.root), "the loop runs over this field");
-        let still = (offset[0] | offset[1] | offset[2] | offset[3]) == 0;
-        let same = still
-            || crate::axes::all::<X>(
-                #[inline(always)]
-                |a| block[a] == run.block[a] as u32,
-            );
         let brick = if !run.fits {
             core::ptr::null_mut()
         } else if Self::OF_LOOP && same {
@@ -221,6 +222,66 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
             Map::<R, L, X>::inner(Self::MEMBER, S::AXIS, along as usize)
         };
         brick.wrapping_add(self.start.addr()).wrapping_add(term)
+    }
+
+    /// Whether rows are copied that lead into other blocks along the run's axis: in loops over sparse fields, whose cells then need not
+    /// ask where they stand.
+    const COPIED: bool = S::SPARSE && S::RUN <= HELD && matches!(Self::KIND, Kind::Blocks);
+
+    /// Whether this row is copied.
+    #[inline(always)]
+    fn is_copied(&self) -> bool {
+        Self::COPIED && self.offset[S::AXIS] != 0 && self.fits
+    }
+
+    /// Copies the values of a run's elements.
+    #[inline(always)]
+    fn copy(&self, run: &Run<'_, S>, buffer: &Buffer<List<R, P>>) {
+        let (by, extent) = (self.offset[S::AXIS], const { Self::CHAIN.extent[S::AXIS] } as i64);
+        let (first, end) = (run.first as i64, (run.first + run.len) as i64);
+        let own = if const { S::RUN == Self::CHAIN.extent[S::AXIS] } && by.abs() <= AHEAD {
+            // The row of its own block is copied as a whole, in steps that are known where this is compiled: what stores write in
+            // parts is slow to be read.
+            for c in 0..S::RUN as i64 {
+                self.put(run, buffer, c - by, true);
+            }
+            -by..extent - by
+        } else {
+            let own = -(self.place + by)..extent - self.place - by;
+            for k in own.start.max(first)..own.end.min(end) {
+                self.put(run, buffer, k, false);
+            }
+            own
+        };
+        // What lies in other blocks is a value or two at an end, if the run comes so far.
+        for k in first..own.start.min(end) {
+            self.put(run, buffer, k, false);
+        }
+        for k in own.end.max(first)..end {
+            self.put(run, buffer, k, false);
+        }
+    }
+
+    /// Copies the value of element `k` of a run.
+    #[inline(always)]
+    fn put(&self, run: &Run<'_, S>, buffer: &Buffer<List<R, P>>, k: i64, inside: bool) {
+        let cell = RunCell { run, k: k as usize, slot: 0, inside };
+        buffer.put((k + AHEAD) as usize, self.value(&cell));
+    }
+
+    /// What a cell's value is made of, where the launch has checked the box.
+    #[inline(always)]
+    fn value(&self, cell: &RunCell<'_, S>) -> List<R, P> {
+        // SAFETY: `fits`, and the cell is one of the run's.
+        let (address, component) = (unsafe { self.address(cell) }, self.component());
+        // SAFETY: as in `get`.
+        unsafe {
+            P::gather(
+                #[inline(always)]
+                |_| (address, component),
+            )
+        }
+        .into_elements()
     }
 
     /// Makes a cell active that the loop does not run over (sparse branches).
@@ -370,23 +431,31 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
 
 /// Reads a path at the elements of a run, moved by a constant offset. Nothing in the loop writes it.
 #[doc(hidden)]
-pub struct Row<'a, R, L, X, P, S, H>(Line<'a, R, L, X, P, S, H>);
+pub struct Row<'a, 'b, R: Record, L, X, P: Path<R>, S, H> {
+    line: Line<'a, R, L, X, P, S, H>,
+    copy: &'b Buffer<List<R, P>>,
+}
 
-impl<R, L, X, P, S, H> core::fmt::Debug for Row<'_, R, L, X, P, S, H> {
+impl<R: Record, L, X, P: Path<R>, S, H> core::fmt::Debug for Row<'_, '_, R, L, X, P, S, H> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "Row of `{}`", self.0.site.field)
+        write!(f, "Row of `{}`", self.line.site.field)
     }
 }
 
-impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Row<'a, R, L, X, P, S, H> {
+impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Row<'a, 'b, R, L, X, P, S, H> {
     #[inline(always)]
     pub(super) fn new(
         handle: Handle<'a, R, L, X>,
         site: &'static Site,
         run: &Run<'_, S>,
         offset: [i64; MAX_AXES],
+        copy: &'b Buffer<List<R, P>>,
     ) -> Self {
-        Self(Line::new(handle, site, run, offset))
+        let line = Line::<'a, R, L, X, P, S, H>::new(handle, site, run, offset);
+        if line.is_copied() {
+            line.copy(run, copy);
+        }
+        Self { line, copy }
     }
 
     /// The value at a cell.
@@ -396,7 +465,11 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Row<'
     #[inline(always)]
     #[track_caller]
     pub fn get(&self, cell: &RunCell<'_, S>) -> P::Value {
-        self.0.get(cell)
+        if self.line.is_copied() {
+            // SAFETY: `new` has copied the values of the run, of which the cell is.
+            return P::Value::from_elements(unsafe { self.copy.take(cell.k + AHEAD as usize) });
+        }
+        self.line.get(cell)
     }
 }
 
@@ -442,7 +515,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Own<'
 /// What is written to a short run before it is stored at once: reads of other rows cannot alias it. A local of its own,
 /// so that it becomes registers.
 #[doc(hidden)]
-pub struct Buffer<T>(UnsafeCell<[MaybeUninit<T>; HELD]>);
+pub struct Buffer<T>(UnsafeCell<[MaybeUninit<T>; HELD + 2 * AHEAD as usize]>);
 
 impl<T> core::fmt::Debug for Buffer<T> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
@@ -454,7 +527,7 @@ impl<T> core::fmt::Debug for Buffer<T> {
 #[doc(hidden)]
 #[inline(always)]
 pub fn buffer<T: Copy>() -> Buffer<T> {
-    Buffer(UnsafeCell::new([const { MaybeUninit::uninit() }; HELD]))
+    Buffer(UnsafeCell::new([const { MaybeUninit::uninit() }; HELD + 2 * AHEAD as usize]))
 }
 
 impl<T: Copy> Buffer<T> {

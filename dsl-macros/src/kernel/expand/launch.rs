@@ -372,8 +372,8 @@ impl Launch<'_> {
                 }
                 View::Own => views.extend(quote!(let #name = #handle.own(&#run, #tag, #whose);)),
                 View::Row(offset) => {
-                    let offset = self.offset(offset);
-                    views.extend(quote!(let #name = #handle.row(&#run, #tag, #offset, #whose);));
+                    let (offset, copy) = (self.offset(offset), numbered("copy", number));
+                    views.extend(quote!(let #copy = #private::buffer(); let #name = #handle.row(&#run, #tag, #offset, #whose, &#copy);));
                 }
                 _ => {}
             }
