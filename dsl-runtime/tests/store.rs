@@ -43,7 +43,7 @@ mod sync {
 }
 
 #[path = "../src/store/hash.rs"]
-#[allow(dead_code, reason = "the rest is for one thread")]
+#[allow(dead_code, clippy::modulo_one, reason = "the rest is for one thread")]
 mod hash;
 #[path = "../src/store/list.rs"]
 #[allow(dead_code, unreachable_pub, reason = "the rest is for one thread, or for the library's layouts")]

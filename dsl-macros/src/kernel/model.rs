@@ -433,6 +433,15 @@ impl Head {
         }
     }
 
+    /// The member that names the branch that the loop runs over.
+    pub(crate) fn branch(&self) -> Option<&[Ident]> {
+        match self {
+            Head::Field(branch) | Head::Interior { branch, .. } => Some(&branch.path),
+            Head::Sifted { base, .. } => base.branch(),
+            Head::Row { .. } | Head::Ranges(_) | Head::Invalid => None,
+        }
+    }
+
     /// Whether all of its elements are of one colour of a checkerboard.
     pub(crate) fn is_checkerboard(&self) -> bool {
         match self {

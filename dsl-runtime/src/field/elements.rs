@@ -102,9 +102,8 @@ pub(crate) fn active_places<R: Record, L: Layout<X>, X: Axes>(
         };
         let mut cell = 0;
         while cell < cells {
-            if grain > 0 {
-                let bit = next_bit(bits, cell / grain, chain.cells / grain, true);
-                cell = cell.max(bit * grain);
+            if let Some(bit) = cell.checked_div(grain) {
+                cell = cell.max(next_bit(bits, bit, chain.bits(), true) * grain);
                 if cell >= cells {
                     break;
                 }

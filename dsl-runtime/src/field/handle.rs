@@ -146,8 +146,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     #[inline(always)]
     pub(crate) fn activate_in(&self, m: usize, brick: *mut u8, block: &Block, inner: &[u32; MAX_AXES]) {
         let grain = Map::<R, L, X>::grain(m);
-        if grain > 0 {
-            let bit = Map::<R, L, X>::cell_number(m, inner) / grain;
+        if let Some(bit) = Map::<R, L, X>::cell_number(m, inner).checked_div(grain) {
             let (word, bit) = Store::bit_of(brick, Map::<R, L, X>::bits_at(m), bit);
             // Read first: neighbours of many threads share the word.
             if word.load(Ordering::Relaxed) & bit == 0 {

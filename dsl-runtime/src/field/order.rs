@@ -143,10 +143,8 @@ impl<R: Record, L: Layout<I>> Field<R, L, I> {
         if let Elements::Active(places) = &elements {
             // Activity stays as it is: the active elements' records change places among them.
             // SAFETY: as above.
-            let records: Vec<R> = each_part(old.len(), |part| {
-                part.map(|n| unsafe { from.read::<Whole>(places[old[n] as usize]) }).collect::<Vec<R>>()
-            })
-            .concat();
+            let record = |&n: &u32| unsafe { from.read::<Whole>(places[n as usize]) };
+            let records = each_part(old.len(), |part| old[part].iter().map(record).collect::<Vec<R>>()).concat();
             each_part(old.len(), |part| {
                 for n in part {
                     // SAFETY: each part writes its own elements, which `&mut self` keeps others from.

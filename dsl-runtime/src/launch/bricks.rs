@@ -11,6 +11,21 @@ use crate::layout::node::{Chained, nth_row, rows};
 use crate::record::{Path, Record};
 use crate::store::active::{ActiveBrick, ActiveList, next_bit};
 
+/// How many blocks ahead the first line of a block is asked for: blocks lie anywhere, which no processor foresees.
+const AHEAD: usize = 4;
+
+/// Asks for a line of memory, perhaps in vain.
+#[inline(always)]
+fn prefetch(at: *const u8) {
+    #[cfg(all(target_arch = "x86_64", not(miri)))]
+    // SAFETY: a hint, which reads nothing.
+    unsafe {
+        core::arch::x86_64::_mm_prefetch::<{ core::arch::x86_64::_MM_HINT_T0 }>(at.cast());
+    }
+    #[cfg(not(all(target_arch = "x86_64", not(miri))))]
+    let _ = at;
+}
+
 /// The most rows of a block whose places are in a table.
 const TABLED: usize = 256;
 
@@ -71,6 +86,9 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             let (start, work) = (list.start(n), list.ends[n] - list.start(n));
             let (from, to) = (units.start.saturating_sub(start), (units.end - start).min(work));
             let brick = &list.bricks[n];
+            if let Some(next) = list.bricks.get(n + AHEAD) {
+                prefetch(next.start);
+            }
             if const { Self::LIST } {
                 self.entries(brick, from..to, fits, run);
             } else if LIGHT && Self::GRAIN == 0 && from == 0 && to == work && self.is_inside(brick) {
@@ -113,11 +131,12 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
     /// Visits all runs of a block.
     #[inline(always)]
     fn whole_brick(&self, brick: &ActiveBrick, fits: bool, run: &mut impl FnMut(Run<'_, Self>)) {
-        let (block, root) = (Self::block_number(brick), self.root());
+        // By value: the list lies in memory, which the body's writes might change for all that the compiler knows.
+        let (block, root, brick) = (Self::block_number(brick), self.root(), brick.start);
         rows::<Self, X>(
             #[inline(always)]
             |inner| {
-                let (at, len, brick) = (self.start(block, inner), <Self as Space>::RUN, brick.start);
+                let (at, len) = (self.start(block, inner), <Self as Space>::RUN);
                 run(Run { at, first: 0, len, block, inner, brick, root, whole: true, fits, owner: PhantomData });
             },
         );

@@ -36,7 +36,9 @@ impl<const ORDER: u32> SparseRoot for Hash<ORDER> {
 
 /// A layout whose memory follows what is active: the root `T`, the nodes `V` that point to blocks, and the block `N`.
 #[derive(Clone, Copy, Debug)]
-pub struct Grown<T, V, N>(PhantomData<fn() -> (T, V, N)>);
+pub struct Grown<T, V, N>(PhantomData<(Type<T>, Type<V>, Type<N>)>);
+/// A type that is named alone.
+type Type<T> = fn() -> T;
 impl<T, V, N> Sealed for Grown<T, V, N> {}
 impl<T: SparseRoot, V: Levels<X>, N: Inner<X>, X: Axes> Layout<X> for Grown<T, V, N> {
     type Inner = N;
@@ -49,7 +51,7 @@ impl<T: SparseRoot, V: Levels<X>, N: Inner<X>, X: Axes> Layout<X> for Grown<T, V
 
 /// A layout of lists over the axes `X`, one of which is the lists' own.
 #[derive(Clone, Copy, Debug)]
-pub struct Listed<X, T, V, N>(PhantomData<fn() -> (X, T, V, N)>);
+pub struct Listed<X, T, V, N>(PhantomData<(Type<X>, Grown<T, V, N>)>);
 impl<X, T, V, N> Sealed for Listed<X, T, V, N> {}
 impl<T: SparseRoot, V: Levels<X>, N: Inner<X>, X: Axes> Layout<X> for Listed<X, T, V, N> {
     type Inner = N;

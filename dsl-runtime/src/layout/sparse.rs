@@ -253,7 +253,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     }
 
     /// Empties the sparse branches, whose stores these are.
-    pub(crate) fn clear<'s>(geometry: &Geometry, stores: &mut dyn Iterator<Item = &'s mut Store>) {
+    pub(crate) fn clear(geometry: &Geometry, stores: &mut dyn Iterator<Item = &mut Store>) {
         if Self::SPARSE {
             let store = stores.next().expect("a store for each sparse branch");
             Self::sweep(geometry, store, &mut |_| false);
@@ -264,7 +264,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     }
 
     /// Gives back the blocks that hold the background alone; of lists, those without entries.
-    pub(crate) fn prune<'s>(geometry: &Geometry, stores: &mut dyn Iterator<Item = &'s mut Store>) {
+    pub(crate) fn prune(geometry: &Geometry, stores: &mut dyn Iterator<Item = &mut Store>) {
         if Self::SPARSE {
             let store = stores.next().expect("a store for each sparse branch");
             let (background, bytes) = (store.background, store.sizes.bits_at);

@@ -17,6 +17,7 @@ pub struct Head {
 impl Head {
     /// An empty list.
     #[cfg(test)]
+    #[allow(dead_code, reason = "the tests that model it make one")]
     pub(crate) fn empty() -> Self {
         Self { len: AtomicU32::new(0), data: Slot::empty() }
     }

@@ -45,7 +45,7 @@ impl Paths {
     #[inline(always)]
     fn place(block: &Block, branch: u32) -> usize {
         let low = |a: usize| (block[a] & 3) as usize;
-        (low(0) | low(1) << 2 | low(2) << 4) ^ low(3) ^ branch as usize % PLACES
+        (low(0) | low(1) << 2 | low(2) << 4) ^ low(3) ^ (branch as usize % PLACES)
     }
 
     /// A block of a branch: as it was found last, or by `find`.

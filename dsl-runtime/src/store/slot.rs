@@ -13,6 +13,7 @@ const BUSY: usize = 1;
 impl Slot {
     /// An empty slot.
     #[cfg(test)]
+    #[allow(dead_code, reason = "the tests that model it make one")]
     pub(crate) fn empty() -> Self {
         Self(AtomicPtr::new(core::ptr::null_mut()))
     }

@@ -137,11 +137,11 @@ impl<L: Layout<X>, X: Axes> Based<L, X> {
         let first = per_axis(|a| if a < X::RANK { end(a, self.low[a]) } else { 0 });
         let last = per_axis(|a| if a < X::RANK { end(a, self.high[a]) } else { 0 });
         let mut blocks = [core::ptr::null_mut(); 8];
-        for corner in 0..const { 1 << X::RANK } {
+        for (corner, known) in blocks.iter_mut().enumerate().take(const { 1 << X::RANK }) {
             let steps = |a: usize| (corner >> a & 1) as u32;
             // A block beyond the last is asked for by no offset.
             if crate::axes::all::<X>(|a| first[a] + steps(a) <= last[a]) {
-                blocks[corner] = handle.brick(0, &per_axis(|a| first[a] + if a < X::RANK { steps(a) } else { 0 }));
+                *known = handle.brick(0, &per_axis(|a| first[a] + if a < X::RANK { steps(a) } else { 0 }));
             }
         }
         self.corners.set(handle.root, first, blocks);

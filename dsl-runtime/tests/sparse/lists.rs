@@ -32,7 +32,7 @@ fn sift<X: Axes>(lists: &mut Field<Entry, _, X>, by: u32) -> u64 {
     for e in lists {
         lists.id[e] += by;
         visited += 1;
-        if lists.id[e] % 2 == 0 {
+        if lists.id[e].is_multiple_of(2) {
             lists.remove(e);
         }
     }

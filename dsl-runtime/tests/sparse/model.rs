@@ -49,7 +49,7 @@ fn topology<X: Axes>(targets: &[u32], field: &mut Field<Cell, _, X>, places: &[X
     }
     for t in targets {
         let q = places[targets[t] as usize];
-        if targets[t] % 2 == 0 { field.activate(q) } else { field.deactivate(q) }
+        if targets[t].is_multiple_of(2) { field.activate(q) } else { field.deactivate(q) }
     }
     active
 }

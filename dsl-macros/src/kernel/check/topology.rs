@@ -92,15 +92,26 @@ fn appends(kernel: &Kernel, found: &Loop, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// Whether the loop makes elements of a field active that its iterations do not run over.
-fn activates(kernel: &Kernel, found: &Loop, field: usize) -> bool {
+/// Whether the loop makes elements of a field active that its iterations do not run over: those of the branch of a member, where one is
+/// named.
+fn activates(kernel: &Kernel, found: &Loop, asked: &Topology) -> bool {
+    let field = asked.field;
+    let concerns = |path: &[syn::Ident]| {
+        let shorter = path.len().min(asked.path.len());
+        path[..shorter] == asked.path[..shorter]
+    };
     let home = found.head.field() == Some(field);
-    let by_access = found
-        .accesses
-        .iter()
-        .map(|&node| kernel.access(node))
-        .any(|access| access.field == field && access.changes() && !(home && matches!(access.place, Place::Own)));
-    by_access || found.topology.iter().any(|topology| topology.field == field && topology.call.activates())
+    let by_access = found.accesses.iter().map(|&node| kernel.access(node)).any(|access| {
+        access.field == field
+            && concerns(&access.path)
+            && access.changes()
+            && !(home && matches!(access.place, Place::Own))
+    });
+    by_access
+        || found
+            .topology
+            .iter()
+            .any(|topology| topology.field == field && concerns(&topology.path) && topology.call.activates())
 }
 
 /// What is active cannot be told while others change it.
@@ -112,11 +123,7 @@ fn reads(kernel: &Kernel, number: usize, diagnostics: &mut Diagnostics) {
     for asked in &found.topology {
         let own = matches!(asked.place, Place::Own | Place::Places(_)) && asked.call != Call::All;
         let told_already = asked.call == Call::All && races;
-        if asked.call.changes()
-            || own
-            || told_already
-            || !activates(kernel, found, asked.field)
-            || !told.insert(asked.field)
+        if asked.call.changes() || own || told_already || !activates(kernel, found, asked) || !told.insert(asked.field)
         {
             continue;
         }

@@ -34,8 +34,9 @@ pub(super) fn expand(kernel: &Kernel, first: TokenStream) -> TokenStream {
     let rewrite = Rewrite { kernel, scope: Scope::Host };
     let (slices, body) = (signature::assert_slices(kernel), rewrite.statements(&kernel.function.block));
     let ItemFn { attrs, vis, sig, .. } = function;
-    // Expanded accesses stand at the user's tokens, so that lints could take their parentheses for the user's.
-    quote!(#(#attrs)* #[allow(unused_parens, clippy::deref_addrof)] #vis #sig { #first #unchecked #slices #body })
+    // Expanded accesses stand at the user's tokens, so that lints could take their parentheses for the user's. A layout is one type to its user,
+    // and may be many.
+    quote!(#(#attrs)* #[allow(unused_parens, clippy::deref_addrof, clippy::type_complexity)] #vis #sig { #first #unchecked #slices #body })
 }
 
 /// The function of a kernel that is refused and has no errors on one thread; none of its warnings is of use.

@@ -185,7 +185,7 @@ impl Lower {
                 let parallel = self.parallel();
                 if let (Some(number), Some(field)) = (parallel, head.field()) {
                     self.kernel.loops[number].shapes.insert(field);
-                    let (path, place) = (Vec::new(), Place::Computed);
+                    let (path, place) = (head.branch().map(<[_]>::to_vec).unwrap_or_default(), Place::Computed);
                     let method = self.kernel.fields[field].name.clone();
                     let (call, arguments, spot) = (Call::All, Vec::new(), spot.clone());
                     self.note_topology(&Topology { field, path, call, method, arguments, place, spot });

@@ -7,7 +7,7 @@ fn light_loop() {
     insta::assert_snapshot!(expansion(
         "fn saxpy(y: &mut Field<f32, _>, x: &Field<f32, Soa>, a: f32) { for p in y { y[p] += a * x[p]; } }"
     ), @r#"
-#[allow(unused_parens, clippy::deref_addrof)]
+#[allow(unused_parens, clippy::deref_addrof, clippy::type_complexity)]
 fn saxpy(
     y: &mut Field<f32, impl ::allotrope::Layout<::allotrope::I>>,
     x: &Field<f32, Soa>,
@@ -58,12 +58,14 @@ fn saxpy(
                     .rows(
                         #[inline(always)]
                         |__run| {
+                            let __copy0 = ::allotrope::__private::buffer();
                             let __v0_x = __field_x
                                 .row(
                                     &__run,
                                     ::allotrope::__private::Whole,
                                     [0],
                                     ::allotrope::__private::Other,
+                                    &__copy0,
                                 );
                             let __buffer1 = ::allotrope::__private::buffer();
                             let __v1_y = __field_y
@@ -114,7 +116,7 @@ fn stencil_with_a_reduction() {
             change
         }"
     ), @r#"
-#[allow(unused_parens, clippy::deref_addrof)]
+#[allow(unused_parens, clippy::deref_addrof, clippy::type_complexity)]
 fn smooth(
     u: &Field<f32, impl ::allotrope::Layout<Ij>, Ij>,
     v: &mut Field<f32, impl ::allotrope::Layout<Ij>, Ij>,
@@ -168,19 +170,23 @@ fn smooth(
                     .rows(
                         #[inline(always)]
                         |__run| {
+                            let __copy0 = ::allotrope::__private::buffer();
                             let __v0_u = __field_u
                                 .row(
                                     &__run,
                                     ::allotrope::__private::Whole,
                                     [-1, 0],
                                     ::allotrope::__private::Other,
+                                    &__copy0,
                                 );
+                            let __copy1 = ::allotrope::__private::buffer();
                             let __v1_u = __field_u
                                 .row(
                                     &__run,
                                     ::allotrope::__private::Whole,
                                     [0, 1],
                                     ::allotrope::__private::Other,
+                                    &__copy1,
                                 );
                             let __buffer2 = ::allotrope::__private::buffer();
                             let __v2_v = __field_v
@@ -250,7 +256,7 @@ fn unrolled_scatter() {
             }
         }"
     ), @r#"
-#[allow(unused_parens, clippy::deref_addrof)]
+#[allow(unused_parens, clippy::deref_addrof, clippy::type_complexity)]
 fn scatter(
     points: &Field<Point, impl ::allotrope::Layout<::allotrope::I>>,
     grid: &mut Field<Node, impl ::allotrope::Layout<Ij>, Ij>,
@@ -313,19 +319,23 @@ fn scatter(
                     .runs(
                         #[inline(always)]
                         |__run| {
+                            let __copy0 = ::allotrope::__private::buffer();
                             let __v0_points_x = __field_points
                                 .row(
                                     &__run,
                                     __field_points.tags().x,
                                     [0],
                                     ::allotrope::__private::OfLoop,
+                                    &__copy0,
                                 );
+                            let __copy1 = ::allotrope::__private::buffer();
                             let __v1_points_m = __field_points
                                 .row(
                                     &__run,
                                     __field_points.tags().m,
                                     [0],
                                     ::allotrope::__private::OfLoop,
+                                    &__copy1,
                                 );
                             __run
                                 .each(
@@ -397,7 +407,7 @@ fn top_level_and_serial_loops() {
             u.m[(0, 0)]
         }"
     ), @r#"
-#[allow(unused_parens, clippy::deref_addrof)]
+#[allow(unused_parens, clippy::deref_addrof, clippy::type_complexity)]
 fn host(u: &mut Field<Node, impl ::allotrope::Layout<Ij>, Ij>) -> f32 {
     {
         let __value = 2.0;
@@ -479,7 +489,7 @@ fn races_leave_the_kernel_on_one_thread() {
 }
 #[allow(warnings)]
 /// Docs.
-#[allow(unused_parens, clippy::deref_addrof)]
+#[allow(unused_parens, clippy::deref_addrof, clippy::type_complexity)]
 pub fn wrong(
     u: &mut Field<f32, impl ::allotrope::Layout<::allotrope::I>>,
     by: f32,
@@ -513,7 +523,7 @@ fn attributes_stay_on_statements() {
             u.fill(0.0);
         }"
     ), @r#"
-#[allow(unused_parens, clippy::deref_addrof)]
+#[allow(unused_parens, clippy::deref_addrof, clippy::type_complexity)]
 fn checked(u: &mut Field<f32, impl ::allotrope::Layout<::allotrope::I>>) {
     {
         #[allow(unused)]
