@@ -285,15 +285,21 @@ macro_rules! unbounded {
     };
 }
 
+// Under the sanitizers, which compile slowly, the first of each.
+bounded! {
+    bitmasked: [37, 90], [1, 1, 1, 1], [bitmasked(ij).aos];
+    pointer_dense: [50, 41], [8, 8, 1, 1], [pointer(ij).dense(ij, 8).aos];
+    pointer_bitmasked: [64, 64], [1, 1, 1, 1], [pointer(ij, 4).bitmasked(ij, 8).soa];
+    pointer_pointer_dense: [70, 50], [2, 2, 1, 1], [pointer(ij, 4).pointer(ij, 4).dense(ij, 2).aos];
+    four_axes: [9, 8, 7, 6], [2, 2, 2, 2], [pointer(ijkl, 2).dense(ijkl, 2).aos];
+}
+#[cfg(not(allotrope_sanitized))]
 bounded! {
     pointer: [37, 20], [1, 1, 1, 1], [pointer(ij).aos];
     pointer_sized: [100], [1, 1, 1, 1], [pointer(i, 7).soa];
-    bitmasked: [37, 90], [1, 1, 1, 1], [bitmasked(ij).aos];
     bitmasked_sized: [30, 17, 5], [1, 1, 1, 1], [bitmasked(ijk, (4, 8, 2)).split];
-    pointer_dense: [50, 41], [8, 8, 1, 1], [pointer(ij).dense(ij, 8).aos];
     pointer_dense_odd: [50, 41], [5, 7, 1, 1], [pointer(ij, 3).dense(ij, (5, 7)).soa];
     pointer_pointer: [50, 41], [1, 1, 1, 1], [pointer(ij, 4).pointer(ij, 3).aos];
-    pointer_bitmasked: [64, 64], [1, 1, 1, 1], [pointer(ij, 4).bitmasked(ij, 8).soa];
     pointer_morton: [40, 40], [4, 4, 1, 1], [pointer(ij, 2).morton(ij, 4).aos];
     dense_pointer: [30, 30], [1, 1, 1, 1], [dense(ij, 4).pointer(ji, 2).split];
     dense_bitmasked: [30, 30], [1, 1, 1, 1], [dense(ij).bitmasked(ij, 4).aos];
@@ -303,22 +309,21 @@ bounded! {
     bitmasked_pointer: [30, 30], [1, 1, 1, 1], [bitmasked(ij, 4).pointer(ij, 2).aos];
     bitmasked_bitmasked: [30, 30], [1, 1, 1, 1], [bitmasked(ij, 4).bitmasked(ij, 2).aos];
     bitmasked_morton: [30, 30], [4, 4, 1, 1], [bitmasked(ij, 4).morton(ij, 4).soa];
-    pointer_pointer_dense: [70, 50], [2, 2, 1, 1], [pointer(ij, 4).pointer(ij, 4).dense(ij, 2).aos];
     pointer_bitmasked_dense: [70, 50], [2, 2, 1, 1], [pointer(ij, 4).bitmasked(ij, 4).dense(ij, 2).aos];
     pointer_dense_bitmasked: [40, 40], [1, 1, 1, 1], [pointer(ij, 4).dense(ij, 2).bitmasked(ij, 4).soa];
     pointer_dense_pointer: [40, 40], [1, 1, 1, 1], [pointer(ij, 4).dense(ij, 2).pointer(ij, 4).aos];
     dense_pointer_dense: [40, 40], [3, 2, 1, 1], [dense(ij, 2).pointer(ij, 3).dense(ij, (3, 2)).aos];
     bitmasked_pointer_bitmasked: [40, 40], [1, 1, 1, 1], [bitmasked(ij, 3).pointer(ij, 3).bitmasked(ij, 3).aos];
-    pointer_of_one_axis_each: [40, 20], [1, 4, 1, 1], [pointer(i, 5).pointer(j, 5).dense(j, 4).aos];
-    four_axes: [9, 8, 7, 6], [2, 2, 2, 2], [pointer(ijkl, 2).dense(ijkl, 2).aos];
     four_axes_bits: [9, 8, 7, 6], [1, 1, 1, 1], [pointer(ijkl, 2).bitmasked(klij, (3, 2, 2, 4)).aos];
     groups: [40, 40], [4, 4, 1, 1], [Cell: pointer(ij, 4).dense(ij, 4).place([count, kind], [split(place)])];
-    padded: [40, 40], [4, 4, 1, 1], [pointer(ij, 4).dense(ij, 4).pad(128).aos];
 }
 unbounded! {
-    hash: Ij, [1, 1, 1, 1], [hash(ij).aos];
     hash_dense: Ij, [8, 8, 1, 1], [hash(ij).dense(ij, 8).aos];
     hash_bitmasked: Ijk, [1, 1, 1, 1], [hash(ijk).bitmasked(ijk, 4).soa];
+}
+#[cfg(not(allotrope_sanitized))]
+unbounded! {
+    hash: Ij, [1, 1, 1, 1], [hash(ij).aos];
     hash_pointer: Ij, [1, 1, 1, 1], [hash(ji).pointer(ij, 4).split];
     hash_morton: I, [4, 1, 1, 1], [hash(i).morton(i, 4).aos];
     hash_pointer_dense: Ij, [3, 5, 1, 1], [hash(ij).pointer(ij, 4).dense(ij, (3, 5)).aos];

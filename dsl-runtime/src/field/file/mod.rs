@@ -147,8 +147,12 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
             .map(|entry| archive.index_for_name(entry).ok_or_else(|| FileFault::Missing { entry: entry.clone() }));
         let numbers = numbers.collect::<Result<Vec<usize>, FileFault>>()?;
         let mut fresh = self.empty().map_err(FileFault::Memory)?;
-        fresh.geometry =
-            if Map::<R, L, X>::is_unbounded() { self.geometry } else { about::moved::<X>(self.geometry, &origin)? };
+        // Arrays of another shape are told before an origin that does not suit this one.
+        let moved = match Map::<R, L, X>::is_unbounded() {
+            true => Ok(self.geometry),
+            false => about::moved::<X>(self.geometry, &origin),
+        };
+        fresh.geometry = *moved.as_ref().unwrap_or(&self.geometry);
         for (m, (number, entry)) in numbers.into_iter().zip(&known).enumerate() {
             let own = own_active_entry::<R>(m);
             let listed =
@@ -161,6 +165,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
             };
             fresh.read_array(m, entry, &elements, open(&mut archive, number, entry)?)?;
         }
+        fresh.geometry = moved?;
         Ok(fresh)
     }
 
