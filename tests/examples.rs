@@ -20,6 +20,18 @@ mod mesh_to_particles;
 #[path = "../examples/live_plot.rs"]
 mod live_plot;
 
+#[allow(dead_code, unreachable_pub, reason = "its `main` is for users")]
+#[path = "../examples/game_of_life.rs"]
+mod game_of_life;
+
+#[allow(dead_code, unreachable_pub, reason = "its `main` is for users")]
+#[path = "../examples/sparse_shell.rs"]
+mod sparse_shell;
+
+#[allow(dead_code, unreachable_pub, reason = "its `main` is for users")]
+#[path = "../examples/particle_lists.rs"]
+mod particle_lists;
+
 use std::fs;
 use std::path::Path;
 
@@ -330,4 +342,80 @@ fn live_plot_films_every_frame() {
     // A cell in the sea, by its colour's own formula.
     assert_eq!(drawn[64 + 1], [0.03f32, 0.07, 0.16].map(|light| (255.0 * light) as u8));
     assert!(frames.windows(2).all(|pair| pair[0].buffer() != pair[1].buffer()), "something moves");
+}
+
+/// The gun is as in plain Rust, generation after generation, and its population the known one.
+#[test]
+fn game_of_life_is_that_of_plain_rust() {
+    use std::collections::HashSet;
+    let around = |(i, j): (i32, i32)| (-1..2).flat_map(move |a| (-1..2).map(move |b| (i + a, j + b)));
+    let mut plain: HashSet<(i32, i32)> = game_of_life::gun().active_iter().map(|(at, _)| at.into()).collect();
+    assert_eq!(plain.len(), 36);
+    let (mut now, mut next) = (game_of_life::gun(), Field::<u8, game_of_life::Plane, Ij>::unbounded());
+    for generation in 0..=300 {
+        let cells: HashSet<(i32, i32)> = now.active_iter().map(|(at, _)| at.into()).collect();
+        assert!(cells == plain, "generation {generation}");
+        if generation % 30 == 0 {
+            assert_eq!(cells.len(), game_of_life::population(generation));
+        }
+        game_of_life::step(&now, &mut next);
+        std::mem::swap(&mut now, &mut next);
+        let candidates: HashSet<(i32, i32)> = plain.iter().flat_map(|&cell| around(cell)).collect();
+        plain = candidates
+            .into_iter()
+            .filter(|&cell| match around(cell).filter(|cell| plain.contains(cell)).count() {
+                3 => true,
+                4 => plain.contains(&cell),
+                _ => false,
+            })
+            .collect();
+    }
+    let folder = tempfile::tempdir().expect("a folder for the picture");
+    let file = folder.path().join("life.png");
+    game_of_life::draw(&now, &file).expect("the picture is written");
+    let bright = image::open(&file).expect("a picture").to_luma8().pixels().filter(|pixel| pixel.0[0] > 128).count();
+    assert_eq!(
+        bright,
+        16 * now
+            .active_iter()
+            .filter(|(at, _)| at.cmpge(IVec2::splat(-20)).all() && at.cmplt(IVec2::splat(140)).all())
+            .count()
+    );
+}
+
+/// The band holds the cells that are near the surface and no others, wherever it goes, in the memory that it had.
+#[test]
+fn sparse_shell_follows_its_sphere() {
+    use sparse_shell::{RADIUS, SIZE, WIDTH};
+    let mut band = Field::<sparse_shell::Cell, sparse_shell::Band>::new([SIZE; 3]);
+    let mut centre = Vec3::new(100.0, 128.0, 128.0);
+    sparse_shell::fill(&mut band, centre);
+    let (cells, bytes) = (band.active_len(), band.bytes());
+    for _ in 0..30 {
+        centre += vec3(0.7, 0.1, -0.1);
+        sparse_shell::follow(&mut band, centre);
+    }
+    let distance = |at: IVec3| (at.as_vec3() - centre).length() - RADIUS;
+    assert!(band.active_iter().all(|(at, cell)| cell.distance == distance(at) && cell.distance.abs() < WIDTH));
+    let volume = 4.0 / 3.0 * std::f32::consts::PI * ((RADIUS + WIDTH).powi(3) - (RADIUS - WIDTH).powi(3));
+    assert!((band.active_len() as f32 / volume - 1.0).abs() < 2e-3 && (cells as f32 / volume - 1.0).abs() < 2e-3);
+    assert!(band.bytes() as f64 <= 1.1 * bytes as f64, "{} bytes, and {bytes} at first", band.bytes());
+    sparse_shell::curve(&mut band);
+    assert!(sparse_shell::error(&band) < 5e-3, "{}", sparse_shell::error(&band));
+}
+
+#[test]
+fn particle_lists_hold_every_particle_and_find_its_neighbours() {
+    let x = particle_lists::spiral(20_000);
+    let all = x.to_vec();
+    let mut cells = Field::<u32, particle_lists::Cells>::new([particle_lists::CELLS; 2]);
+    let mut neighbours = Field::<u32, Soa>::new([20_000]);
+    for _ in 0..2 {
+        particle_lists::bin(&x, &mut cells);
+        particle_lists::count(&x, &cells, &mut neighbours);
+        let mut held: Vec<u32> = cells.active_iter().map(|(_, p)| p).collect();
+        held.sort_unstable();
+        assert!(held.into_iter().eq(0..20_000));
+        assert!((0..20_000).step_by(131).all(|p| neighbours.get(p) == particle_lists::counted(&all, p)));
+    }
 }

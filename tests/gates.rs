@@ -54,8 +54,8 @@ fn disks_end_with_more_energy_the_better_the_transfer_and_the_finer_the_grid() {
 
 #[test]
 fn a_disk_keeps_of_its_spin_what_is_published() {
-    passes("spinning-disk", &[], "aosoa16+row", 7);
-    passes("spinning-disk", &["transfer.scheme=polypic", "transfer.modes=4"], "split+split", 7);
+    passes("spinning-disk", &[], "aos+sparse4", 7);
+    passes("spinning-disk", &["transfer.scheme=polypic", "transfer.modes=4"], "soa+soa", 7);
     passes("spinning-disk", &[PIC], "soa+soa", 6);
     passes("spinning-disk", &FLIP, "aosoa16+blocked4", 7);
 }
@@ -73,6 +73,6 @@ fn sand_runs_out_as_measured() {
 #[test]
 fn what_falls_freely_falls_as_a_stone() {
     for name in ["mpm88", "bunny", "snowball"] {
-        passes(name, &[], "aosoa16+row", 4);
+        passes(name, &[], "aos+hash4", 4);
     }
 }

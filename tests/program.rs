@@ -35,7 +35,8 @@ fn names(folder: &Path) -> Vec<String> {
 #[test]
 fn list_tells_what_there_is() {
     let text = succeeds(&["list"]);
-    for name in ["mpm", "mpm88", "bunny", "aos+row", "soa+soa", "split+split", "aosoa16+blocked4", "private", "atomic"]
+    for name in
+        ["mpm", "mpm88", "bunny", "aos+row", "soa+soa", "hot+row", "aosoa16+blocked4", "aos+hash4", "private", "atomic"]
     {
         assert!(text.split_whitespace().any(|word| word.trim_end_matches(':') == name), "{name}");
     }
@@ -71,7 +72,7 @@ fn run_writes_pictures_that_show_the_fluid() {
             "--scene",
             scene,
             "--layout",
-            "aosoa16+row",
+            "aos+sparse4",
             "--steps",
             steps,
             "--frames",
@@ -270,7 +271,7 @@ fn scenes_are_shown_and_checked() {
     let line = succeeds(&["scene", "check", file, file]);
     let about = format!("{file}: 2D, 8192 particles of fluid, 128 x 128 nodes, ");
     assert!(line.lines().count() == 2 && line.lines().all(|line| line.starts_with(&about)), "{line}");
-    assert!(line.contains("MiB, dt 2e-4 of at most 2.67e-4, in aos+row, soa+soa, split+split, "), "{line}");
+    assert!(line.contains("MiB, dt 2e-4 of at most 2.67e-4, in aos+row, soa+soa, aosoa16+blocked4, "), "{line}");
     // All that are wrong are told, and what is right is told too.
     let output = allotrope(&["scene", "check", "a.toml", file, "b.toml"]);
     assert_eq!(output.status.code(), Some(2));

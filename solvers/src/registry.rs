@@ -44,6 +44,8 @@ pub struct LayoutInfo {
     pub name: &'static str,
     /// One line about it.
     pub about: &'static str,
+    /// Whether the grid's memory follows the particles, so that its domain can be as large as one likes.
+    pub sparse: bool,
 }
 
 /// All solvers. To add one, add its line here.

@@ -81,6 +81,16 @@ pub trait Layout<X: Axes>: Copy + Send + Sync + Sealed + 'static {
     /// The first branch.
     #[doc(hidden)]
     const CHAIN: Chain;
+    /// Whether memory follows what is active, in the first branch where there are several.
+    ///
+    /// ```
+    /// use allotrope::prelude::*;
+    /// assert!(<Sparse<8> as Layout<Ij>>::SPARSE && !<Blocked<8> as Layout<Ij>>::SPARSE);
+    /// ```
+    const SPARSE: bool = Self::CHAIN.is_sparse();
+    /// Whether its fields have no bounds, since its outermost node is `hash`: they are made by
+    /// [`unbounded`](crate::Field::unbounded) and not by [`new`](crate::Field::new).
+    const UNBOUNDED: bool = matches!(&Self::CHAIN.tree, Some(tree) if matches!(tree.root, Root::Hash));
 }
 
 /// The root of a layout: as many cells along the axes of `ORDER` as the shape needs, each a chain `N`.

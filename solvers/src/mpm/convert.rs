@@ -44,11 +44,6 @@ pub(super) fn lowered<X: Spatial>(v: Vec3) -> X::Vec<f32> {
     X::Vec::<f32>::from_fn(|axis| v[axis])
 }
 
-/// How many nodes a grid has along three axes.
-pub(super) fn nodes<X: Spatial>(shape: X::Extents) -> [usize; 3] {
-    std::array::from_fn(|axis| shape.as_ref().get(axis).copied().unwrap_or(1))
-}
-
 /// An array of vectors.
 pub(super) fn vectors<X: Spatial>(name: &'static str, vectors: impl Iterator<Item = X::Vec<f32>>) -> Array {
     Array::numbers(name, X::RANK, vectors.flat_map(|v| (0..X::RANK).map(move |axis| v[axis])))

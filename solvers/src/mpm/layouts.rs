@@ -1,6 +1,8 @@
 //! The layouts in which the kernels are compiled. Each costs build time, so six are always there and the others stand
 //! behind the feature `all-layouts`.
 
+#[cfg(feature = "all-layouts")]
+use allotrope::layout;
 use allotrope::prelude::*;
 
 use super::continuum::{Affine, Continuum, Dimensions, HotAffine, HotPlain, HotPolynomial, Plain, Polynomial};
@@ -45,11 +47,32 @@ impl OfPoints for Hot {
     type Polynomial<X: Dimensions> = HotPolynomial<X>;
 }
 
+/// `pointer(..).pointer(.., 4).dense(.., 4).aos`, over any axes.
+#[cfg(feature = "all-layouts")]
+type Tree4 = layout::Grown<
+    layout::Grid<{ layout::ALL }>,
+    layout::Table<
+        layout::Entry,
+        layout::Table<layout::Dense<{ layout::ALL }, 4, 4, 4, 4, layout::Entry>, layout::Leaf>,
+    >,
+    Block4,
+>;
+/// `pointer(..).bitmasked(.., 4).aos`, over any axes.
+#[cfg(feature = "all-layouts")]
+type Bits4 =
+    layout::Grown<layout::Grid<{ layout::ALL }>, layout::Table<layout::Entry, layout::Leaf>, layout::Masked<Block4>>;
+#[cfg(feature = "all-layouts")]
+type Block4 = layout::Dense<{ layout::ALL }, 4, 4, 4, 4, layout::PlaceAos>;
+
 /// A line makes a pair of layouts: its name, the layout of particles, that of the grid, and a word about it.
 macro_rules! layout_pairs {
     ($($(#[$condition:meta])* $name:literal: $particles:ty, $grid:ty, $about:literal;)*) => {
         /// The pairs, the default first.
-        pub(super) const LAYOUTS: &[LayoutInfo] = &[$($(#[$condition])* LayoutInfo { name: $name, about: $about },)*];
+        pub(super) const LAYOUTS: &[LayoutInfo] = &[$($(#[$condition])* LayoutInfo {
+            name: $name,
+            about: $about,
+            sparse: <$grid as Layout<Ij>>::SPARSE,
+        },)*];
 
         /// The simulation of a scene in a pair of layouts.
         pub(super) fn build(scene: &Scene, layout: &str) -> Built {
@@ -64,10 +87,18 @@ macro_rules! layout_pairs {
 layout_pairs! {
     "aos+row": Aos, Aos, "particles and nodes interleaved, the grid row by row";
     "soa+soa": Soa, Soa, "an array for each member of particles and nodes";
-    "split+split": Split, Split, "an array for each component of particles and nodes";
-    "aosoa16+row": AoSoA<16>, Aos, "particles in groups of 16, an array for each member in a group; nodes interleaved";
     "hot+row": Hot, Aos, "members of particles that transfers need together, the others apart; nodes interleaved";
     "aosoa16+blocked4": AoSoA<16>, Blocked<4>, "particles in groups of 16; the grid in blocks of 4 nodes an axis";
+    "aos+hash4": Aos, SparseHash<4>, "particles interleaved; blocks of 4 nodes an axis where there are particles, found by hashing";
+    "aos+sparse4": Aos, Sparse<4>, "the same, found by pointers";
+    #[cfg(feature = "all-layouts")]
+    "aos+tree4": Aos, Tree4, "particles interleaved; blocks of 4 nodes an axis under pointers to pointers";
+    #[cfg(feature = "all-layouts")]
+    "aos+bits4": Aos, Bits4, "particles interleaved; blocks of 4 nodes an axis under pointers, each node active by itself";
+    #[cfg(feature = "all-layouts")]
+    "split+split": Split, Split, "an array for each component of particles and nodes";
+    #[cfg(feature = "all-layouts")]
+    "aosoa16+row": AoSoA<16>, Aos, "particles in groups of 16, an array for each member in a group; nodes interleaved";
     #[cfg(feature = "all-layouts")]
     "soa+row": Soa, Aos, "an array for each member of particles, nodes interleaved";
     #[cfg(feature = "all-layouts")]
@@ -103,8 +134,18 @@ fn is_fluid(scene: &Scene) -> bool {
         && scene.walls.iter().flatten().all(|wall| *wall == Wall::default())
 }
 
+/// Whether the memory of a layout's grid follows the particles.
+fn is_sparse(layout: &str) -> bool {
+    LAYOUTS.iter().any(|info| info.name == layout && info.sparse)
+}
+
 /// Why a scene makes no sense in a layout, if it does not.
 pub(super) fn unfit(scene: &Scene, layout: &str) -> Option<&'static str> {
+    if scene.sparse && !is_sparse(layout) {
+        return Some(
+            "its domain is larger than a dense grid can be: take a layout with a sparse one, such as `aos+hash4`",
+        );
+    }
     (layout.starts_with("hot+") && is_fluid(scene))
         .then_some("every member of a fluid's particles is used by both transfers, so that none can lie apart")
 }

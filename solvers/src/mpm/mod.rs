@@ -27,6 +27,7 @@ mod convert;
 mod driver;
 pub mod fluid;
 mod gates;
+mod grid;
 mod layouts;
 pub mod materials;
 mod medium;

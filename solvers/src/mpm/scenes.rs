@@ -20,6 +20,7 @@ scenes! {
     "three-materials": "2D: jelly and snow fall into water", None;
     "dam-break": "2D: a column of water collapses in a tank", Some(gates::dam_break);
     "bunny": "3D: the Stanford bunny of fluid is dropped into a box of 64 x 64 x 64 nodes", Some(gates::free_fall);
+    "bunny-large": "3D: the bunny of fluid splashes on the floor of a hall of 1024^3 nodes, for sparse grids", None;
     "snowball": "3D: two snowballs meet in the air and burst", Some(gates::free_fall);
     "sand-column": "2D: a column of sand slumps over a rough floor", Some(gates::sand_column);
     "disks": "2D: two elastic disks collide and part", Some(gates::disks);

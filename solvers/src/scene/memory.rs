@@ -11,9 +11,10 @@ impl Scene {
     /// velocity's gradient too (`d^2`), or with PolyPIC the coefficients of all modes (`d 3^d`); a fluid alone, with the
     /// default transfer and walls, only `2 d + d^2 + 1`. To this come 4 bytes for its number and 124 for the position,
     /// velocity and gradient with which it starts. A node holds momentum and mass, `d + 1` words, and with PIC and
-    /// FLIP the momentum before, `d` more.
+    /// FLIP the momentum before, `d` more. Of a sparse grid there are about as many nodes as particles, and four times as many where
+    /// blocks are cut at a surface.
     pub fn estimated_bytes(&self, particles: usize) -> u64 {
-        particles as u64 * (4 * self.particle_words() + 4 + 124) + self.grid_bytes()
+        particles as u64 * (4 * self.particle_words() + 4 + 124) + self.grid_bytes(particles)
     }
 
     fn particle_words(&self) -> u64 {
@@ -31,8 +32,9 @@ impl Scene {
         d + velocity + 2 * d * d + 4
     }
 
-    fn grid_bytes(&self) -> u64 {
-        let nodes = self.grid.iter().map(|&nodes| nodes as u64).product::<u64>();
+    fn grid_bytes(&self, particles: usize) -> u64 {
+        let all = self.grid.iter().map(|&nodes| nodes as u64).product::<u64>();
+        let nodes = if self.sparse { all.min(4 * particles as u64) } else { all };
         nodes * node_bytes(self.dimensions, self.transfer.scheme)
     }
 
@@ -43,7 +45,7 @@ impl Scene {
     pub fn check_memory(&self, particles: usize, available: u64) -> Result<(), SceneError> {
         let [i, j, k] = self.grid;
         let size = if self.dimensions == 2 { format!("{i} x {j}") } else { format!("{i} x {j} x {k}") };
-        let (grid, all) = (self.grid_bytes(), self.estimated_bytes(particles));
+        let (grid, all) = (self.grid_bytes(particles), self.estimated_bytes(particles));
         if grid > available {
             let message = format!(
                 "takes {} for its {} nodes, and {} are available; take a coarser grid",

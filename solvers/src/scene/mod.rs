@@ -49,6 +49,8 @@ pub struct Scene {
     pub dimensions: usize,
     /// Nodes along each axis; one along an axis that the scene does not have.
     pub grid: [usize; 3],
+    /// Whether the domain may be larger than a dense grid can be, for layouts whose grid holds the nodes near particles alone.
+    pub sparse: bool,
     /// Metres along the first axis; cells are cubes.
     pub length: f64,
     /// Seconds a step.
@@ -101,6 +103,7 @@ const KEYS: &[&str] = &[
     "solver",
     "dimensions",
     "grid",
+    "sparse",
     "length",
     "dt",
     "gravity",
@@ -173,7 +176,10 @@ impl Scene {
         let least = transfer.spline.width().max(3);
         let wall = keys.whole("wall", least as i64, 64)?.map_or(least, |wall| wall as usize);
         let grid = keys.extents("grid", dimensions, 2 * wall as i64 + 4, LONGEST)?;
-        sizes::check_nodes(grid, dimensions, transfer.scheme).map_err(|fault| keys.fault("grid", fault))?;
+        let sparse = keys.flag("sparse")?.unwrap_or_default();
+        if !sparse {
+            sizes::check_nodes(grid, dimensions, transfer.scheme).map_err(|fault| keys.fault("grid", fault))?;
+        }
         let spacing = if keys.has("spacing") { keys.positive("spacing", "0.5")? } else { 0.5 };
         if !(0.05..=1.0).contains(&spacing) {
             return Err(
@@ -193,6 +199,7 @@ impl Scene {
             solver,
             dimensions,
             grid,
+            sparse,
             length: keys.positive("length", "1.0")?,
             dt: keys.positive("dt", "2e-4")?,
             gravity: keys.vector("gravity", dimensions)?.unwrap_or_default(),

@@ -16,7 +16,9 @@ pub(super) fn check_nodes(grid: [usize; 3], dimensions: usize, scheme: Scheme) -
         return Ok(());
     }
     let size = gibibytes((nodes * node_bytes(dimensions, scheme)) as f64);
-    Err(format!("has {nodes} nodes, which take {size}, and more than {MOST_NODES} (2^28) are refused"))
+    Err(format!(
+        "has {nodes} nodes, which take {size}, and more than {MOST_NODES} (2^28) are refused without `sparse = true`"
+    ))
 }
 
 impl Scene {
@@ -42,7 +44,9 @@ impl Scene {
         if self.grid[..self.dimensions].iter().any(|&extent| !(least..=LONGEST as usize).contains(&extent)) {
             return Err(self.fault(key, format!("cannot be; an axis takes from {least} to {LONGEST} nodes")));
         }
-        if let Err(fault) = check_nodes(self.grid, self.dimensions, self.transfer.scheme) {
+        if !self.sparse
+            && let Err(fault) = check_nodes(self.grid, self.dimensions, self.transfer.scheme)
+        {
             return Err(self.fault(key, fault));
         }
         self.dt *= old as f64 / nodes as f64;

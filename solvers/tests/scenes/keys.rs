@@ -250,7 +250,7 @@ fn what_does_not_fit_into_memory_is_refused_with_its_size() {
     assert_eq!(
         message,
         "scene `test.toml`: `grid = 32768` has 1073741824 nodes, which take 12.00 GiB, and more than 268435456 (2^28) \
-         are refused"
+         are refused without `sparse = true`"
     );
 }
 

@@ -162,7 +162,10 @@ mod tests {
         name: "mpm",
         about: "",
         scenes: &[],
-        layouts: &[LayoutInfo { name: "blocked", about: "" }, LayoutInfo { name: "soa", about: "" }],
+        layouts: &[
+            LayoutInfo { name: "blocked", about: "", sparse: false },
+            LayoutInfo { name: "soa", about: "", sparse: false },
+        ],
         unfit,
         build: no_build,
     };

@@ -6,9 +6,8 @@ use allotrope::spatial::*;
 
 use super::carrier::Carrier;
 use super::{Dimensions, Transfers};
-use crate::mpm::convert::{
-    matrices, matrix, node, nodes, rows, saved_matrices, saved_vectors, triple, vector, vectors,
-};
+use crate::mpm::convert::{matrices, matrix, node, rows, saved_matrices, saved_vectors, triple, vector, vectors};
+use crate::mpm::grid;
 use crate::mpm::materials::Model;
 use crate::mpm::medium::{Medium, Particle, block_major};
 use crate::mpm::obstacles::Obstacles;
@@ -19,6 +18,8 @@ use crate::{Array, State};
 pub(in crate::mpm) struct Continuum<X: Dimensions, C: Carrier<X>, P: Layout<I>, G: Layout<X>> {
     points: Field<C::Point, P>,
     grid: Field<C::Node, G, X>,
+    /// Nodes along each axis.
+    shape: [usize; 3],
     mpm: Transfers<X>,
     obstacles: Obstacles,
     materials: Vec<Model>,
@@ -59,13 +60,14 @@ impl<X: Dimensions, C: Carrier<X>, P: Layout<I>, G: Layout<X>> Medium for Contin
             };
             points.set(p, C::point(&body, &mpm));
         }
-        let grid = Field::<C::Node, G>::try_new(X::shape(|axis| scene.grid[axis])).map_err(fault)?;
+        let grid = grid::make(scene)?;
         let materials = scene.materials.iter().map(|material| material.model).collect();
-        Ok(Self { points, grid, mpm, obstacles: Obstacles::new(scene), materials })
+        Ok(Self { points, grid, shape: grid::shape(scene), mpm, obstacles: Obstacles::new(scene), materials })
     }
 
     fn clear(&mut self) {
-        C::clear(&mut self.grid);
+        // Of a sparse grid the blocks go back, and those are made anew that the particles touch.
+        if G::SPARSE { self.grid.clear() } else { C::clear(&mut self.grid) }
     }
 
     fn scatter(&mut self) {
@@ -90,7 +92,7 @@ impl<X: Dimensions, C: Carrier<X>, P: Layout<I>, G: Layout<X>> Medium for Contin
     }
 
     fn reorder(&mut self) -> Permutation {
-        let (nodes, mpm) = (nodes::<X>(self.grid.shape()), self.mpm);
+        let (nodes, mpm) = (self.shape, self.mpm);
         self.points
             .reorder_by_key(|point| block_major(node::<X>(mpm.stencil(C::body(point, &mpm).x).base).as_uvec3(), nodes))
     }
@@ -163,13 +165,13 @@ impl<X: Dimensions, C: Carrier<X>, P: Layout<I>, G: Layout<X>> Medium for Contin
 
     fn nodes(&self) -> Vec<Array> {
         vec![
-            Array::floats("mass", self.grid.iter().map(|node| [C::node(&node).1])),
-            vectors::<X>("velocity", self.grid.iter().map(|node| C::node(&node).0)),
+            Array::floats("mass", grid::nodes(&self.grid, self.shape).map(|node| [C::node(&node).1])),
+            vectors::<X>("velocity", grid::nodes(&self.grid, self.shape).map(|node| C::node(&node).0)),
         ]
     }
 
     fn grid_mass(&self) -> f64 {
-        self.grid.iter().map(|node| f64::from(C::node(&node).1)).sum()
+        grid::sum(&self.grid, |node| f64::from(C::node(&node).1))
     }
 
     fn bytes(&self) -> usize {

@@ -7,9 +7,8 @@ use allotrope::spatial::*;
 use super::kernels::{clear, count_broken, grid_to_particle, particle_to_grid, update_grid};
 use super::parameters::Mpm;
 use super::records::{Node, Point};
-use crate::mpm::convert::{
-    matrices, matrix, node, nodes, rows, saved_matrices, saved_vectors, triple, vector, vectors,
-};
+use crate::mpm::convert::{matrices, matrix, node, rows, saved_matrices, saved_vectors, triple, vector, vectors};
+use crate::mpm::grid;
 use crate::mpm::medium::{Medium, Particle, block_major};
 use crate::scene::{Particles, Scene};
 use crate::{Array, State};
@@ -18,6 +17,8 @@ use crate::{Array, State};
 pub(in crate::mpm) struct Fluid<X: Spatial, P: Layout<I>, G: Layout<X>> {
     points: Field<Point<X>, P>,
     grid: Field<Node<X>, G, X>,
+    /// Nodes along each axis.
+    shape: [usize; 3],
     mpm: Mpm<X>,
 }
 
@@ -27,16 +28,17 @@ impl<X: Spatial, P: Layout<I>, G: Layout<X>> Medium for Fluid<X, P, G> {
     fn new(scene: &Scene, particles: &Particles) -> Result<Self, String> {
         let fault = |error: allotrope::ShapeError| error.to_string();
         let mut points = Field::<Point<X>, P>::try_new([particles.x.len()]).map_err(fault)?;
-        let grid = Field::<Node<X>, G>::try_new(X::shape(|axis| scene.grid[axis])).map_err(fault)?;
+        let grid = grid::make(scene)?;
         for (p, ((x, v), c)) in particles.x.iter().zip(&particles.v).zip(&particles.c).enumerate() {
             let (x, v) = (vector::<X, f32>(*x), vector::<X, f32>(*v));
             points.set(p, Point { x, v, c: matrix::<X, f32>(*c), j: 1.0 });
         }
-        Ok(Self { points, grid, mpm: Mpm::new(scene) })
+        Ok(Self { points, grid, shape: grid::shape(scene), mpm: Mpm::new(scene) })
     }
 
     fn clear(&mut self) {
-        clear(&mut self.grid);
+        // Of a sparse grid the blocks go back, and those are made anew that the particles touch.
+        if G::SPARSE { self.grid.clear() } else { clear(&mut self.grid) }
     }
 
     fn scatter(&mut self) {
@@ -56,8 +58,7 @@ impl<X: Spatial, P: Layout<I>, G: Layout<X>> Medium for Fluid<X, P, G> {
     }
 
     fn reorder(&mut self) -> Permutation {
-        let inv_dx = self.mpm.inv_dx;
-        let nodes = nodes::<X>(self.grid.shape());
+        let (inv_dx, nodes) = (self.mpm.inv_dx, self.shape);
         self.points.reorder_by_key(|point| {
             let base = node::<X>((point.x * inv_dx - 0.5).to_index());
             block_major(base.max(IVec3::ZERO).as_uvec3(), nodes)
@@ -97,13 +98,13 @@ impl<X: Spatial, P: Layout<I>, G: Layout<X>> Medium for Fluid<X, P, G> {
 
     fn nodes(&self) -> Vec<Array> {
         vec![
-            Array::floats("mass", self.grid.iter().map(|node| [node.m])),
-            vectors::<X>("velocity", self.grid.iter().map(|node| node.v)),
+            Array::floats("mass", grid::nodes(&self.grid, self.shape).map(|node| [node.m])),
+            vectors::<X>("velocity", grid::nodes(&self.grid, self.shape).map(|node| node.v)),
         ]
     }
 
     fn grid_mass(&self) -> f64 {
-        self.grid.members().m.to_vec().into_iter().map(f64::from).sum()
+        grid::sum(&self.grid, |node| f64::from(node.m))
     }
 
     fn bytes(&self) -> usize {
