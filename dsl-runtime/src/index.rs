@@ -243,6 +243,12 @@ fn wrapped_far(c: i64, origin: i32, n: i64) -> i64 {
     if n == 0 || c == i64::MAX { -1 } else { (i128::from(c) - i128::from(origin)).rem_euclid(i128::from(n)) as i64 }
 }
 
+/// Puts places in row-major order. Sorting is much code: there is one copy of it for all layouts.
+#[inline(never)]
+pub(crate) fn sort(places: &mut [[u32; MAX_AXES]]) {
+    places.sort_unstable();
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -63,7 +63,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
                 self.set_background(other.background());
             }
         }
-        let one = L::BRANCHES == 1 && M::BRANCHES == 1;
+        let one = const { L::BRANCHES == 1 && M::BRANCHES == 1 };
         let members = if one { 0..1 } else { 0..R::Elements::MEMBERS.len() };
         for m in members {
             let (from, to) = (other.handle(), self.handle());
@@ -75,7 +75,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
             };
             each_part(elements.len(), |part| {
                 for at in elements.part::<X>(part) {
-                    if one {
+                    if const { L::BRANCHES == 1 && M::BRANCHES == 1 } {
                         // SAFETY: elements lie within the shape, which both have; each part writes its own elements of this
                         // field, which `&mut self` keeps others from.
                         unsafe { to.write::<Whole>(there(at), from.read::<Whole>(at)) };

@@ -37,7 +37,7 @@ impl Elements {
             }
         }
         // Places of one branch are told once each.
-        places.sort_unstable();
+        crate::index::sort(&mut places);
         places.dedup();
         Self::Active(places)
     }
@@ -48,7 +48,7 @@ impl Elements {
             return Self::All(handle.geometry.shape);
         }
         let mut places = active_places(handle, m);
-        places.sort_unstable();
+        crate::index::sort(&mut places);
         Self::Active(places)
     }
 

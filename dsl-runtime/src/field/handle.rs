@@ -12,6 +12,7 @@ use crate::record::{Path, Record};
 use crate::store::Store;
 use crate::store::active::ActiveList;
 use crate::store::paths::Paths;
+use crate::view::Corners;
 
 /// A field's address and geometry, which views copy. What may be done through it is its maker's promise.
 #[doc(hidden)]
@@ -131,6 +132,33 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
         }
         // SAFETY: whoever gave the handle paths keeps them alive and on this thread.
         unsafe { (*self.paths).get(block, self.copy + Map::<R, L, X>::branch(m) as u32, find) }
+    }
+
+    /// Makes `corners` the blocks that follow `first` by none or one along each of up to three axes; for those that lie beyond the field,
+    /// others.
+    #[inline(always)]
+    pub(crate) fn around(&self, corners: &L::Corners, first: Block) {
+        // SAFETY: whoever gave the handle paths keeps them alive and on this thread.
+        let grown = if self.paths.is_null() { 0 } else { unsafe { (*self.paths).grown() } };
+        // A copy, as in `grow`.
+        let this = *self;
+        corners.seek(&first, grown, move || this.find_around(first));
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn find_around(self, first: Block) -> [*mut u8; 8] {
+        let extent = |a: usize| Map::<R, L, X>::chain(0).extent[a] as u64;
+        let mut blocks = [core::ptr::null_mut(); 8];
+        for (corner, known) in blocks.iter_mut().enumerate().take(const { 1 << X::RANK }) {
+            let next = |a: usize| {
+                let next = u64::from(first[a]) + 1;
+                let there = corner >> a & 1 == 1 && next * extent(a) < u64::from(self.geometry.shape[a]);
+                if there { next as u32 } else { first[a] }
+            };
+            *known = self.brick(0, &per_axis(|a| if a < X::RANK { next(a) } else { 0 }));
+        }
+        blocks
     }
 
     /// The block of an element of a sparse branch, whose cell becomes active.

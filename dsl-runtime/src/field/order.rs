@@ -6,7 +6,7 @@ use super::elements::Elements;
 use super::parts::{each_part, in_parts};
 use super::{Field, Storage};
 use crate::axes::{Axes, I};
-use crate::layout::Layout;
+use crate::layout::{Layout, Map};
 use crate::record::{Record, Whole};
 
 /// An order of records, such as [`Field::reorder_by_key`] makes: `old_places()[n]` is where the record now at `n` stood
@@ -140,7 +140,9 @@ impl<R: Record, L: Layout<I>> Field<R, L, I> {
             }
         });
         let mut old = stable_order(&keys);
-        if let Elements::Active(places) = &elements {
+        if const { Map::<R, L, I>::any_sparse() }
+            && let Elements::Active(places) = &elements
+        {
             // Activity stays as it is: the active elements' records change places among them.
             // SAFETY: as above.
             let record = |&n: &u32| unsafe { from.read::<Whole>(places[n as usize]) };

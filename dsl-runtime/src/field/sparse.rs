@@ -324,7 +324,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
             if pending.is_empty() {
                 continue;
             }
-            pending.sort_unstable();
+            crate::index::sort(&mut pending);
             pending.dedup();
             match Map::<R, L, X>::list() {
                 Some(list) => self.remove_entries(list.axis, pending),
@@ -357,7 +357,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
                 }
             }
         }
-        blocks.sort_unstable();
+        crate::index::sort(&mut blocks);
         blocks.dedup();
         // Blocks without an active cell go back.
         blocks.retain(|block| {
@@ -387,10 +387,8 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
 
     /// Takes entries out of their lists; the others move up, in their order.
     fn remove_entries(&self, axis: usize, mut places: Vec<[u32; MAX_AXES]>) {
-        let list_of =
-            |at: &[u32; MAX_AXES]| core::array::from_fn::<u32, MAX_AXES, _>(|a| if a == axis { 0 } else { at[a] });
-        places.sort_unstable_by_key(|at| (list_of(at), at[axis]));
-        for entries in places.chunk_by(|a, b| list_of(a) == list_of(b)) {
+        sort_by_list(axis, &mut places);
+        for entries in places.chunk_by(|a, b| list_of(axis, a) == list_of(axis, b)) {
             let removed = |n: usize| entries.binary_search_by_key(&n, |at| at[axis] as usize).is_ok();
             self.retain_entries(&entries[0], axis, |n, _| !removed(n));
         }
@@ -437,4 +435,15 @@ pub(crate) fn branches<R: Record, L: Layout<X>, X: Axes>() -> Vec<usize> {
         }
     }
     first
+}
+
+/// The place of the list that an entry is in.
+fn list_of(axis: usize, at: &[u32; MAX_AXES]) -> [u32; MAX_AXES] {
+    core::array::from_fn(|a| if a == axis { 0 } else { at[a] })
+}
+
+/// Puts entries in the order of their lists, and of one list in the list's. Sorting is much code: there is one copy of it for all layouts.
+#[inline(never)]
+fn sort_by_list(axis: usize, places: &mut [[u32; MAX_AXES]]) {
+    places.sort_unstable_by_key(|at| (list_of(axis, at), at[axis]));
 }

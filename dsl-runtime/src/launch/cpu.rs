@@ -5,6 +5,9 @@ use std::str::FromStr;
 use std::sync::OnceLock;
 
 /// An instruction set that loop bodies are compiled for.
+///
+/// Builds with debug assertions have one version of each loop, for what every processor of the architecture has, whatever is chosen: they
+/// would take much longer to build.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Cpu {

@@ -117,7 +117,8 @@ fn once<T>(body: &mut impl FnMut(T), at: T) {
     body(at);
 }
 
-/// Body versions. In the plain ones `fits` holds and updates are plain, as constants; the careful one asks at run time.
+/// Body versions. In the plain ones `fits` holds and updates are plain, as constants; the careful one asks at run time. Builds with debug
+/// assertions, whose bodies are no part of the loops around them, have that one alone.
 mod versions {
     use super::{Space, Task};
 
@@ -130,13 +131,13 @@ mod versions {
         plain(body, task)
     }
 
-    #[cfg(all(target_arch = "x86_64", not(allotrope_sanitized)))]
+    #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
     #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
     pub(super) fn avx2<S: Space, Out, F: Fn(Task<'_, S>) -> Out>(body: &F, task: Task<'_, S>) -> Out {
         plain(body, task)
     }
 
-    #[cfg(all(target_arch = "x86_64", not(allotrope_sanitized)))]
+    #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
     #[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq,avx512vl,avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
     pub(super) fn avx512<S: Space, Out, F: Fn(Task<'_, S>) -> Out>(body: &F, task: Task<'_, S>) -> Out {
         plain(body, task)
@@ -153,15 +154,15 @@ fn dispatch<const CAREFUL: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
     body: &F,
     task: Task<'_, S>,
 ) -> Out {
-    if CAREFUL && (!task.fits || task.atomic) {
+    if cfg!(debug_assertions) || CAREFUL && (!task.fits || task.atomic) {
         return versions::careful(body, task);
     }
     match cpu {
         // SAFETY: `Cpu::chosen` and `Schedule::run` admit only instruction sets that the processor has.
-        #[cfg(all(target_arch = "x86_64", not(allotrope_sanitized)))]
+        #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
         Cpu::Avx512 => unsafe { versions::avx512(body, task) },
         // SAFETY: as above.
-        #[cfg(all(target_arch = "x86_64", not(allotrope_sanitized)))]
+        #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
         Cpu::Avx2 => unsafe { versions::avx2(body, task) },
         _ => versions::baseline(body, task),
     }

@@ -9,6 +9,12 @@ use crate::store::active::ActiveList;
 use crate::store::list::Head;
 use crate::store::{Sizes, Store};
 
+/// Puts cells in the order of their ranks. Sorting is much code: there is one copy of it for all layouts.
+#[inline(never)]
+fn in_rank(cells: &mut [(Block, Block, *mut u8)]) {
+    cells.sort_unstable_by_key(|&(rank, ..)| rank);
+}
+
 impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// Whether the first branch is sparse.
     const SPARSE: bool = L::CHAIN.is_sparse();
@@ -195,8 +201,8 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         let mut hashed = Vec::new();
         if let Some(hash) = &store.hash {
             hashed.reserve(hash.len());
-            hash.each(|key, cell| hashed.push((cell, key)));
-            hashed.sort_unstable_by_key(|&(_, key)| Self::ranked(key));
+            hash.each(|key, cell| hashed.push((Self::ranked(key), key, cell)));
+            in_rank(&mut hashed);
         }
         let grid = if store.hash.is_some() { 0 } else { geometry.cells };
         let (axes, count) = super::order::<X>(L::CHAIN.root);
@@ -209,7 +215,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
             }
             (start.wrapping_add(n * Self::CELL), span(at))
         });
-        hashed.into_iter().map(move |(cell, key)| (cell, span(key))).chain(in_grid)
+        hashed.into_iter().map(move |(_, key, cell)| (cell, span(key))).chain(in_grid)
     }
 
     /// Coordinates in the order of the root's axes, the first most significant.
@@ -286,7 +292,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         match &store.hash {
             Some(hash) if <L::Levels as Levels<X>>::BYTES == 0 => {
                 let mut keys: Vec<Block> = blocks.iter().map(Self::key).collect();
-                keys.sort_unstable();
+                crate::index::sort(&mut keys);
                 let mut kept = |key: Block, cell: *mut u8| {
                     let goes = keys.binary_search(&key).is_ok();
                     if goes {

@@ -105,8 +105,22 @@ impl<R: Record, L: Layout<X>, X: Axes> Target<'_, '_, R, L, X> {
         }
     }
 
+    /// A block of the sparse branch that a member stands in as one line, if the scalars' kind and operator are the same for all of it.
+    fn uniform_block(&self, branch_of: usize) -> Option<Line> {
+        let here = |m: usize| Map::<R, L, X>::branch(m) == Map::<R, L, X>::branch(branch_of);
+        let &(first, op) = self.members.iter().find(|&&(m, _)| here(m))?;
+        let (all, first) = (R::Elements::MEMBERS, R::Elements::MEMBERS[first]);
+        let same = |m: usize| all[m].kind == first.kind && self.members.contains(&(m, op));
+        let count = Map::<R, L, X>::block_bytes(branch_of) / first.scalar;
+        let line = Line { kind: first.kind, op, offset: 0, step: first.scalar, count };
+        (0..all.len()).filter(|&m| here(m)).all(same).then_some(line)
+    }
+
     /// The lines of cells that make up a block of the sparse branch that a member stands in.
     fn block_lines(&self, branch_of: usize, mut line: impl FnMut(Line)) {
+        if let Some(whole) = self.uniform_block(branch_of) {
+            return line(whole);
+        }
         let branch = Map::<R, L, X>::branch(branch_of);
         for &(m, op) in self.members.iter().filter(|&&(m, _)| Map::<R, L, X>::branch(m) == branch) {
             let (chain, member) = (Map::<R, L, X>::chain(m), R::Elements::MEMBERS[m]);

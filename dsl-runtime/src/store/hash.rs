@@ -185,11 +185,11 @@ impl Hash {
                     }
                 }
             }
-            if kept.len() == before {
+            if kept.len() == before && before > 0 {
                 continue;
             }
             // SAFETY: as the caller promises, nobody else reaches the tables.
-            unsafe { shard.clear(&mut tables) };
+            unsafe { shard.empty(&mut tables, before) };
             for (key, block) in kept {
                 // SAFETY: the lock is held.
                 unsafe { shard.insert(&mut tables, &key, block) };
@@ -238,6 +238,23 @@ impl Shard {
         // SAFETY: the lock is held.
         unsafe { table.put(key, block) };
         self.count.store(count, Ordering::Relaxed);
+    }
+
+    /// Takes all blocks out. The newest table stays if it is not far too large for as many as it held before, which may soon be made
+    /// anew.
+    ///
+    /// # Safety
+    /// Nobody else reaches the tables.
+    unsafe fn empty(&self, tables: &mut Vec<*mut Table>, before: usize) {
+        // SAFETY: tables in the list live.
+        let newest = tables.pop_if(|table| unsafe { &**table }.cells.len() <= 8 * before);
+        // SAFETY: as the caller promises.
+        unsafe { self.clear(tables) };
+        let Some(newest) = newest else { return };
+        // SAFETY: it has just been in the list.
+        unsafe { &*newest }.cells.iter().for_each(|cell| cell.block.store(core::ptr::null_mut(), Ordering::Relaxed));
+        tables.push(newest);
+        self.table.store(newest, Ordering::Relaxed);
     }
 
     /// Frees all tables.

@@ -16,9 +16,19 @@ struct Found {
 /// How many blocks are remembered: of three axes, four along each, so that a block and its neighbours have places of their own.
 const PLACES: usize = 64;
 
+/// More than any field has of branches.
+const NOBODY: u32 = u32::MAX;
+
 /// A job's own memory of the blocks of one field that it has found. One that is not asked is not initialised.
 #[doc(hidden)]
-pub struct Paths(UnsafeCell<MaybeUninit<[Found; PLACES]>>);
+pub struct Paths(UnsafeCell<MaybeUninit<Seen>>);
+
+#[derive(Clone, Copy, Debug)]
+struct Seen {
+    blocks: [Found; PLACES],
+    /// One, and one more for each block that the job has made.
+    grown: u32,
+}
 
 impl core::fmt::Debug for Paths {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
@@ -36,9 +46,8 @@ impl Paths {
     /// A memory of nothing.
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        // No field has a branch of that number.
-        let nothing = Found { block: [0; 4], branch: u32::MAX, start: core::ptr::null_mut() };
-        Self(UnsafeCell::new(MaybeUninit::new([nothing; PLACES])))
+        let nothing = Found { block: [0; 4], branch: NOBODY, start: core::ptr::null_mut() };
+        Self(UnsafeCell::new(MaybeUninit::new(Seen { blocks: [nothing; PLACES], grown: 1 })))
     }
 
     /// The place of a block, in which another may stand.
@@ -48,6 +57,17 @@ impl Paths {
         (low(0) | low(1) << 2 | low(2) << 4) ^ low(3) ^ (branch as usize % PLACES)
     }
 
+    /// What is remembered.
+    ///
+    /// # Safety
+    /// This is a memory made by [`new`](Self::new), of the thread that calls, which holds no other reference to it.
+    #[inline(always)]
+    #[allow(clippy::mut_from_ref, reason = "the caller has it to itself")]
+    unsafe fn seen(&self) -> &mut Seen {
+        // SAFETY: as the caller promises.
+        unsafe { (*self.0.get()).assume_init_mut() }
+    }
+
     /// A block of a branch: as it was found last, or by `find`.
     ///
     /// # Safety
@@ -55,21 +75,32 @@ impl Paths {
     #[inline(always)]
     pub(crate) unsafe fn get(&self, block: &Block, branch: u32, find: impl FnOnce() -> *mut u8) -> *mut u8 {
         // SAFETY: as the caller promises; `find` does not reach this memory.
-        let found = unsafe { &mut (*self.0.get()).assume_init_mut()[Self::place(block, branch)] };
+        let found = unsafe { &mut self.seen().blocks[Self::place(block, branch)] };
         if found.block != *block || found.branch != branch {
             *found = Found { block: *block, branch, start: find() };
         }
         found.start
     }
 
-    /// Remembers a block.
+    /// Another number after each block that was made.
+    ///
+    /// # Safety
+    /// As for [`get`](Self::get).
+    #[inline(always)]
+    pub(crate) unsafe fn grown(&self) -> u32 {
+        // SAFETY: as the caller promises.
+        unsafe { self.seen().grown }
+    }
+
+    /// Remembers a block that was made.
     ///
     /// # Safety
     /// As for [`get`](Self::get).
     #[inline(always)]
     pub(crate) unsafe fn put(&self, block: &Block, branch: u32, start: *mut u8) {
         // SAFETY: as the caller promises.
-        let found = unsafe { &mut (*self.0.get()).assume_init_mut()[Self::place(block, branch)] };
-        *found = Found { block: *block, branch, start };
+        let seen = unsafe { self.seen() };
+        seen.blocks[Self::place(block, branch)] = Found { block: *block, branch, start };
+        seen.grown = seen.grown.wrapping_add(1).max(1);
     }
 }

@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 use core::mem::size_of;
 
-use super::lane::{Lane, Spot};
+use super::lane::{Lane, Near, Spot};
 use super::{Based, Site};
 use crate::axes::{Axes, MAX_AXES};
 use crate::element::{Element, component};
@@ -48,7 +48,7 @@ macro_rules! operations {
         /// Where the sum lies outside of the shape.
         #[inline(always)]
         #[track_caller]
-        pub fn $name_at(&self, base: &Based<L, X>, offset: impl IntoIndex<X>, value: P::Value)
+        pub fn $name_at(&self, base: &Based<'_, L, X>, offset: impl IntoIndex<X>, value: P::Value)
         where
             <P::Value as Element>::Scalar: $bound,
         {
@@ -75,8 +75,8 @@ where
 
     #[inline(always)]
     #[track_caller]
-    fn locate_at<'b>(&self, base: &'b Based<L, X>, offset: impl IntoIndex<X>) -> ([u32; MAX_AXES], &'b Based<L, X>) {
-        (base.plus(offset.coordinates(), self.lane.site()), base)
+    fn locate_at<'b>(&self, base: &'b Based<'b, L, X>, offset: impl IntoIndex<X>) -> Near<'b, L, X> {
+        self.lane.near(base, offset)
     }
 
     #[inline(always)]
@@ -147,7 +147,7 @@ where
     pub fn part_at<O: Operator<<P::Value as Element>::Scalar>>(
         &self,
         _: O,
-        base: &Based<L, X>,
+        base: &Based<'_, L, X>,
         offset: impl IntoIndex<X>,
         value: P::Value,
     ) where
@@ -184,7 +184,7 @@ where
     /// Where the sum lies outside of the shape.
     #[inline(always)]
     #[track_caller]
-    pub fn sub_at(&self, base: &Based<L, X>, offset: impl IntoIndex<X>, value: P::Value)
+    pub fn sub_at(&self, base: &Based<'_, L, X>, offset: impl IntoIndex<X>, value: P::Value)
     where
         <P::Value as Element>::Scalar: Number,
     {
@@ -211,7 +211,7 @@ where
     /// Where the sum lies outside of the shape.
     #[inline(always)]
     #[track_caller]
-    pub fn mul_at<Rhs>(&self, base: &Based<L, X>, offset: impl IntoIndex<X>, by: Rhs)
+    pub fn mul_at<Rhs>(&self, base: &Based<'_, L, X>, offset: impl IntoIndex<X>, by: Rhs)
     where
         P::Value: ComponentMul<Rhs>,
         <P::Value as Element>::Scalar: Number,

@@ -1,5 +1,6 @@
 //! A base index checked once for all constant offsets of a stencil.
 
+use core::cell::Cell;
 use core::marker::PhantomData;
 
 use super::Site;
@@ -11,8 +12,8 @@ use crate::record::Record;
 
 /// A base whose whole box of offsets lies within a field's indices.
 #[doc(hidden)]
-#[derive(Clone, Copy, Debug)]
-pub struct Based<L: Layout<X>, X: Axes> {
+#[derive(Debug)]
+pub struct Based<'b, L: Layout<X>, X: Axes> {
     /// The base's place; in wrapping arithmetic, since its own cell may lie below zero.
     base: [u32; MAX_AXES],
     low: [i32; MAX_AXES],
@@ -21,60 +22,67 @@ pub struct Based<L: Layout<X>, X: Axes> {
     shape: [u32; MAX_AXES],
     origin: [i32; MAX_AXES],
     /// The blocks around, of a sparse field.
-    corners: L::Corners,
+    corners: &'b L::Corners,
+    /// Whose they are: null where they are not known.
+    root: *mut u8,
+    /// The offset along each axis at which the next block begins.
+    edge: [i64; 3],
     axes: PhantomData<X>,
 }
 
-/// The blocks around a base: those of its lowest offset and of the next along each axis.
+/// The blocks around a base, the first of them and the next along each axis, kept until a base has another first block.
 #[doc(hidden)]
-pub trait Corners: Copy + core::fmt::Debug + 'static {
-    /// None.
-    const NONE: Self;
-    /// Whose blocks they are, the first of them, and all: those beside it along axis `a` at `1 << a`.
-    fn set(&mut self, root: *mut u8, first: Block, blocks: [*mut u8; 8]);
-    /// A block of whoever it is asked for; null where it is none of them.
-    fn get(&self, root: *mut u8, block: &Block) -> *mut u8;
+pub trait Corners: Default + core::fmt::Debug + 'static {
+    /// Makes them those around `first`. They stay what they are where that was the last, and no block was made since by the job, which
+    /// `grown` tells: 0 where it is not known.
+    fn seek(&self, first: &Block, grown: u32, find: impl FnOnce() -> [*mut u8; 8]);
+    /// The block beside the first along those axes `a` whose bit `1 << a` is set.
+    fn get(&self, corner: usize) -> *mut u8;
 }
 impl Corners for () {
-    const NONE: Self = ();
-    fn set(&mut self, _: *mut u8, _: Block, _: [*mut u8; 8]) {}
     #[inline(always)]
-    fn get(&self, _: *mut u8, _: &Block) -> *mut u8 {
+    fn seek(&self, _: &Block, _: u32, _: impl FnOnce() -> [*mut u8; 8]) {}
+    #[inline(always)]
+    fn get(&self, _: usize) -> *mut u8 {
         core::ptr::null_mut()
     }
 }
 
 /// The blocks around a base of a sparse field of up to three axes.
 #[doc(hidden)]
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct EightCorners {
-    root: *mut u8,
-    first: Block,
-    blocks: [*mut u8; 8],
+    first: Cell<Block>,
+    grown: Cell<u32>,
+    blocks: Cell<[*mut u8; 8]>,
+}
+impl Default for EightCorners {
+    #[inline(always)]
+    fn default() -> Self {
+        let blocks = [core::ptr::null_mut(); 8];
+        Self { first: Cell::new([0; MAX_AXES]), grown: Cell::new(0), blocks: Cell::new(blocks) }
+    }
 }
 impl Corners for EightCorners {
-    const NONE: Self = Self { root: core::ptr::null_mut(), first: [0; MAX_AXES], blocks: [core::ptr::null_mut(); 8] };
     #[inline(always)]
-    fn set(&mut self, root: *mut u8, first: Block, blocks: [*mut u8; 8]) {
-        *self = Self { root, first, blocks };
+    fn seek(&self, first: &Block, grown: u32, find: impl FnOnce() -> [*mut u8; 8]) {
+        if grown == 0 || self.grown.get() != grown || self.first.get() != *first {
+            self.blocks.set(find());
+            self.first.set(*first);
+            self.grown.set(grown);
+        }
     }
     #[inline(always)]
-    fn get(&self, root: *mut u8, block: &Block) -> *mut u8 {
-        let by = per_axis(
-            #[inline(always)]
-            |a| block[a].wrapping_sub(self.first[a]),
-        );
-        if (by[0] | by[1] | by[2]) > 1 || by[3] != 0 || !core::ptr::eq(root, self.root) {
-            return core::ptr::null_mut();
-        }
-        self.blocks[(by[0] | by[1] << 1 | by[2] << 2) as usize]
+    fn get(&self, corner: usize) -> *mut u8 {
+        self.blocks.as_array_of_cells()[corner % 8].get()
     }
 }
 
-impl<L: Layout<X>, X: Axes> Based<L, X> {
+impl<'b, L: Layout<X>, X: Axes> Based<'b, L, X> {
     #[inline(always)]
     pub(super) fn new<const N: usize>(
         geometry: &Geometry,
+        corners: &'b L::Corners,
         base: [i64; MAX_AXES],
         low: [i64; N],
         high: [i64; N],
@@ -85,13 +93,14 @@ impl<L: Layout<X>, X: Axes> Based<L, X> {
             all[..N].copy_from_slice(&offsets);
             all
         };
-        Self::around(geometry, base, wide(low), wide(high))
+        Self::around(geometry, corners, base, wide(low), wide(high))
     }
 
     /// The same with offsets for all axes that there could be.
     #[inline(always)]
     pub(super) fn around(
         geometry: &Geometry,
+        corners: &'b L::Corners,
         base: [i64; MAX_AXES],
         low: [i64; MAX_AXES],
         high: [i64; MAX_AXES],
@@ -120,38 +129,50 @@ impl<L: Layout<X>, X: Axes> Based<L, X> {
                 high: narrow(high),
                 shape,
                 origin,
-                corners: Corners::NONE,
+                corners,
+                root: core::ptr::null_mut(),
+                edge: [0; 3],
                 axes: PhantomData,
             },
         )
     }
 
-    /// Looks up the blocks around the base.
+    /// Finds the blocks around the base.
     #[inline(always)]
     pub(super) fn cornered<R: Record>(mut self, handle: &Handle<'_, R, L, X>) -> Self {
         if const { !(L::CHAIN.is_sparse() && L::BRANCHES == 1 && X::RANK <= 3) } {
             return self;
         }
         let extent = |a: usize| const { L::CHAIN.extent }[a] as u32;
-        let end = |a: usize, offset: i32| self.base[a].wrapping_add_signed(offset) / extent(a);
-        let first = per_axis(|a| if a < X::RANK { end(a, self.low[a]) } else { 0 });
-        let last = per_axis(|a| if a < X::RANK { end(a, self.high[a]) } else { 0 });
-        let mut blocks = [core::ptr::null_mut(); 8];
-        for (corner, known) in blocks.iter_mut().enumerate().take(const { 1 << X::RANK }) {
-            let steps = |a: usize| (corner >> a & 1) as u32;
-            // A block beyond the last is asked for by no offset.
-            if crate::axes::all::<X>(|a| first[a] + steps(a) <= last[a]) {
-                *known = handle.brick(0, &per_axis(|a| first[a] + if a < X::RANK { steps(a) } else { 0 }));
-            }
+        // A wider box reaches more than one further block.
+        if !all::<X>(|a| self.high[a].wrapping_sub(self.low[a]) as u32 <= extent(a)) {
+            return self;
         }
-        self.corners.set(handle.root, first, blocks);
+        let start = |a: usize| self.base[a].wrapping_add_signed(self.low[a]);
+        let first = per_axis(|a| if a < X::RANK { start(a) / extent(a) } else { 0 });
+        let edge = |a: usize| i64::from(self.low[a]) + i64::from(extent(a) - start(a) % extent(a));
+        self.edge = core::array::from_fn(|a| if a < X::RANK { edge(a) } else { i64::MAX });
+        self.root = handle.root;
+        handle.around(self.corners, first);
         self
     }
 
-    /// A block around the base, of the field or of a job's copy of it; null where it is not known.
     #[inline(always)]
-    pub(super) fn corner(&self, root: *mut u8, block: &Block) -> *mut u8 {
-        self.corners.get(root, block)
+    fn holds(&self, offset: [i64; MAX_AXES]) -> bool {
+        all::<X>(
+            #[inline(always)]
+            |a| (offset[a] >= i64::from(self.low[a])) & (offset[a] <= i64::from(self.high[a])),
+        )
+    }
+
+    /// The block at an offset, of the field or of a job's copy of it; null where it is not known.
+    #[inline(always)]
+    pub(super) fn corner(&self, root: *mut u8, offset: [i64; MAX_AXES]) -> *mut u8 {
+        if !core::ptr::eq(root, self.root) || !self.holds(offset) {
+            return core::ptr::null_mut();
+        }
+        let next = |a: usize| usize::from(offset[a] >= self.edge[a]) << a;
+        self.corners.get(next(0) | next(1) | next(2))
     }
 
     /// `base + offset` where the offset lies in the box, which folds to nothing for unrolled offsets. Otherwise the sum
@@ -159,11 +180,7 @@ impl<L: Layout<X>, X: Axes> Based<L, X> {
     #[inline(always)]
     #[track_caller]
     pub(super) fn plus(&self, offset: [i64; MAX_AXES], site: &'static Site) -> [u32; MAX_AXES] {
-        let inside = all::<X>(
-            #[inline(always)]
-            |a| (offset[a] >= i64::from(self.low[a])) & (offset[a] <= i64::from(self.high[a])),
-        );
-        if !inside {
+        if !self.holds(offset) {
             return self.far(offset, site);
         }
         per_axis(

@@ -26,7 +26,7 @@ pub(super) trait Spot<L: Layout<X>, X: Axes>: Copy {
     /// Its place.
     fn place(&self) -> [u32; MAX_AXES];
     /// Its block, where it is known; else null.
-    fn block(&self, root: *mut u8, block: &Block) -> *mut u8;
+    fn block(&self, root: *mut u8) -> *mut u8;
 }
 impl<L: Layout<X>, X: Axes> Spot<L, X> for [u32; MAX_AXES] {
     #[inline(always)]
@@ -34,18 +34,32 @@ impl<L: Layout<X>, X: Axes> Spot<L, X> for [u32; MAX_AXES] {
         *self
     }
     #[inline(always)]
-    fn block(&self, _: *mut u8, _: &Block) -> *mut u8 {
+    fn block(&self, _: *mut u8) -> *mut u8 {
         core::ptr::null_mut()
     }
 }
-impl<L: Layout<X>, X: Axes> Spot<L, X> for ([u32; MAX_AXES], &Based<L, X>) {
+
+/// A place at an offset from a base.
+pub(super) struct Near<'b, L: Layout<X>, X: Axes> {
+    base: &'b Based<'b, L, X>,
+    offset: [i64; MAX_AXES],
+    place: [u32; MAX_AXES],
+}
+impl<L: Layout<X>, X: Axes> Clone for Near<'_, L, X> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<L: Layout<X>, X: Axes> Copy for Near<'_, L, X> {}
+impl<L: Layout<X>, X: Axes> Spot<L, X> for Near<'_, L, X> {
     #[inline(always)]
     fn place(&self) -> [u32; MAX_AXES] {
-        self.0
+        self.place
     }
     #[inline(always)]
-    fn block(&self, root: *mut u8, block: &Block) -> *mut u8 {
-        self.1.corner(root, block)
+    fn block(&self, root: *mut u8) -> *mut u8 {
+        self.base.corner(root, self.offset)
     }
 }
 
@@ -114,6 +128,17 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
         place
     }
 
+    /// The place of `base + offset`, checked with the base where the offset lies in the base's box.
+    ///
+    /// # Panics
+    /// Where the sum lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub(super) fn near<'b>(&self, base: &'b Based<'b, L, X>, offset: impl IntoIndex<X>) -> Near<'b, L, X> {
+        let offset = offset.coordinates();
+        Near { base, offset, place: base.plus(offset, self.site) }
+    }
+
     /// The place that a boundary rule gives for an index.
     ///
     /// # Panics
@@ -140,7 +165,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
     #[inline(always)]
     fn block(&self, spot: impl Spot<L, X>) -> (*mut u8, Block, [u32; MAX_AXES]) {
         let (block, inner) = Handle::<R, L, X>::split(Self::MEMBER, spot.place());
-        let known = spot.block(self.handle.root, &block);
+        let known = spot.block(self.handle.root);
         let start = if known.is_null() { self.handle.brick(Self::MEMBER, &block) } else { known };
         (start, block, inner)
     }

@@ -205,11 +205,23 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
 
     /// As [`based`](Self::based), with the same offsets along all axes.
     #[inline(always)]
-    pub fn based_all(self, base: impl crate::index::IntoIndex<X>, low: i64, high: i64) -> Option<Based<L, X>> {
-        Based::around(&self.handle.geometry, base.coordinates(), [low; MAX_AXES], [high; MAX_AXES]).map(
+    pub fn based_all<'b>(
+        self,
+        corners: &'b L::Corners,
+        base: impl crate::index::IntoIndex<X>,
+        low: i64,
+        high: i64,
+    ) -> Option<Based<'b, L, X>> {
+        Based::around(&self.handle.geometry, corners, base.coordinates(), [low; MAX_AXES], [high; MAX_AXES]).map(
             #[inline(always)]
-            |based: Based<L, X>| based.cornered(&self.handle),
+            |based| based.cornered(&self.handle),
         )
+    }
+
+    /// Where the blocks around bases are kept.
+    #[inline(always)]
+    pub fn corners(&self) -> L::Corners {
+        L::Corners::default()
     }
 
     /// Reads a path at an index, whatever else the loop does there.
@@ -235,15 +247,16 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
 
     /// The field around `base`, if all of `base + low` to `base + high` lies within it.
     #[inline(always)]
-    pub fn based<const N: usize>(
+    pub fn based<'b, const N: usize>(
         self,
+        corners: &'b L::Corners,
         base: impl crate::index::IntoIndex<X>,
         low: [i64; N],
         high: [i64; N],
-    ) -> Option<Based<L, X>> {
-        Based::new(&self.handle.geometry, base.coordinates(), low, high).map(
+    ) -> Option<Based<'b, L, X>> {
+        Based::new(&self.handle.geometry, corners, base.coordinates(), low, high).map(
             #[inline(always)]
-            |based: Based<L, X>| based.cornered(&self.handle),
+            |based| based.cornered(&self.handle),
         )
     }
 }

@@ -103,9 +103,9 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Read<'a, R, L, X, P> {
     /// Where the sum lies outside of the shape.
     #[inline(always)]
     #[track_caller]
-    pub fn get_at(&self, base: &Based<L, X>, offset: impl IntoIndex<X>) -> P::Value {
-        let at = base.plus(offset.coordinates(), self.0.site());
+    pub fn get_at(&self, base: &Based<'_, L, X>, offset: impl IntoIndex<X>) -> P::Value {
+        let near = self.0.near(base, offset);
         // SAFETY: as in `get`; the base was made from this field.
-        unsafe { self.0.read((at, base)) }
+        unsafe { self.0.read(near) }
     }
 }

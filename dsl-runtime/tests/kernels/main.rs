@@ -1,26 +1,36 @@
-//! Kernels through the public interface, in several layouts.
+//! Kernels through the public interface, in several layouts. Under the sanitizers, which compile slowly, those modules that reach memory in
+//! ways of their own.
 
 mod accumulate;
+#[cfg(not(allotrope_sanitized))]
 mod axes;
 mod beside;
+#[cfg(not(allotrope_sanitized))]
 mod boundaries;
 mod branches;
+#[cfg(not(allotrope_sanitized))]
 mod captures;
+#[cfg(not(allotrope_sanitized))]
 mod enumerations;
 mod heads;
 // A sanitizer keeps account of all memory, touched or not.
 #[cfg(not(allotrope_sanitized))]
 mod large;
+#[cfg(not(allotrope_sanitized))]
 mod linear;
 mod loops;
-mod mpm;
+#[cfg(not(allotrope_sanitized))]
 mod nested_records;
+#[cfg(not(allotrope_sanitized))]
 mod order;
 mod origin;
 mod panics;
+#[cfg(not(allotrope_sanitized))]
 mod parts;
+#[cfg(not(allotrope_sanitized))]
 mod random;
 mod reductions;
+#[cfg(not(allotrope_sanitized))]
 mod stencils;
 mod together;
 mod unrolled;

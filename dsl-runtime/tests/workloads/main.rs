@@ -1,7 +1,9 @@
-//! Whole workloads as users write them, each against plain Rust, in several layouts and on one and three threads.
+//! Whole workloads as users write them, each against plain Rust, in several layouts, under each instruction set and on one and three
+//! threads.
 
 mod conjugate_gradient;
 mod elasticity;
+mod mpm;
 mod multigrid;
 mod neighbours;
 mod rigid_coupling;
@@ -11,10 +13,18 @@ mod staggered;
 
 use allotrope::prelude::*;
 
-/// Runs on one thread and on three, in blocks so small that all threads have some.
+/// The instruction sets that the processor has and that loops are compiled for: builds with debug assertions have one version of them.
+fn instruction_sets() -> Vec<Cpu> {
+    let all = if cfg!(debug_assertions) { &[Cpu::Baseline][..] } else { &Cpu::ALL };
+    all.iter().copied().filter(|cpu| cpu.available()).collect()
+}
+
+/// Runs under each instruction set, on one thread and on three, in blocks so small that all threads have some.
 fn on_threads(run: impl Fn()) {
-    for threads in [1, 3] {
-        Schedule { threads, grain: 8, ..Schedule::default() }.run(&run);
+    for cpu in instruction_sets() {
+        for threads in [1, 3] {
+            Schedule { threads, grain: 8, cpu: Some(cpu), ..Schedule::default() }.run(&run);
+        }
     }
 }
 

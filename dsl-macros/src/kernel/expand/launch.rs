@@ -1,6 +1,8 @@
 //! A parallel loop.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
@@ -20,6 +22,8 @@ pub(super) struct Launch<'a> {
     held: Vec<&'a Capture>,
     /// Accesses relative to a checked base: the base's name and the offset.
     pub(super) based: BTreeMap<usize, (Ident, Expr)>,
+    /// Where the blocks around checked bases are kept from one iteration to the next, each with its field's handle.
+    pub(super) corners: Rc<RefCell<BTreeMap<Ident, TokenStream>>>,
 }
 
 impl Launch<'_> {
@@ -53,8 +57,14 @@ impl Launch<'_> {
 /// The tokens of a launch.
 pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
     let parallel = &kernel.loops[number];
-    let launch =
-        Launch { kernel, parallel, plan: plan(kernel, number), held: captures::held(parallel), based: BTreeMap::new() };
+    let launch = Launch {
+        kernel,
+        parallel,
+        plan: plan(kernel, number),
+        held: captures::held(parallel),
+        based: BTreeMap::new(),
+        corners: Rc::default(),
+    };
     let private = private();
     let (space, fits, task, run) = (hidden("space"), hidden("fits"), hidden("task"), hidden("run"));
     let (handles, boxes) = (launch.handles(), launch.boxes());
@@ -74,6 +84,8 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
     let any_views = launch.any_views();
     let rows = if launch.plan.light { quote!(rows) } else { quote!(runs) };
     let body = launch.run(&pieces);
+    let known = launch.corners.take();
+    let corners = known.iter().map(|(name, handle)| quote!(let #name = #handle.corners();));
     let attributes = &parallel.attributes;
     let (outs, out) = (hidden("outs"), hidden("out"));
     let (outs, combine) = if parallel.reductions.is_empty() {
@@ -98,6 +110,7 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
                 #hold
                 #hide
                 #any_views
+                #(#corners)*
                 #partials
                 #task.#rows(#[inline(always)] |#run| { #body });
                 #result
@@ -455,6 +468,13 @@ fn op(group: Group) -> TokenStream {
 impl<'a> Launch<'a> {
     /// The same launch in a stretch where more bases are checked.
     pub(super) fn with_based(&self, based: BTreeMap<usize, (Ident, Expr)>) -> Launch<'a> {
-        Launch { kernel: self.kernel, parallel: self.parallel, plan: self.plan.clone(), held: self.held.clone(), based }
+        Launch {
+            kernel: self.kernel,
+            parallel: self.parallel,
+            plan: self.plan.clone(),
+            held: self.held.clone(),
+            based,
+            corners: Rc::clone(&self.corners),
+        }
     }
 }

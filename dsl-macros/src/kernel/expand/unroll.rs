@@ -21,15 +21,17 @@ pub(super) fn unroll(rewrite: &Rewrite<'_>, node: usize, repeat: &Unroll) -> Tok
     }
     let private = private();
     let locals: Vec<_> = (0..bases.len()).map(|number| numbered(&format!("b{node}_"), number)).collect();
-    let checks = bases.iter().map(|base| {
+    let checks = bases.iter().enumerate().map(|(number, base)| {
         let handle = launch.accumulated(base.field);
+        let corners = numbered(&format!("corners{node}_"), number);
+        launch.corners.borrow_mut().insert(corners.clone(), handle.clone());
         let at = rewrite.expr(&base.base);
         if repeat.axes.is_some() {
             let (low, high) = (literal(base.low[0], "i64"), literal(base.high[0], "i64"));
-            return quote!(#handle.based_all(#at, #low, #high));
+            return quote!(#handle.based_all(&#corners, #at, #low, #high));
         }
         let (low, high) = (array(&base.low), array(&base.high));
-        quote!(#handle.based(#at, #low, #high))
+        quote!(#handle.based(&#corners, #at, #low, #high))
     });
     let mut based = launch.based.clone();
     for (base, local) in bases.iter().zip(&locals) {

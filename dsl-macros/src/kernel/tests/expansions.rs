@@ -315,6 +315,7 @@ fn scatter(
                 let _ = (&points, &grid);
                 let __v2_grid_m = __field_grid
                     .accumulate(&__task, 0usize, __field_grid.tags().m);
+                let __corners1_0 = __field_grid.of_target(&__task, 0usize).corners();
                 __task
                     .runs(
                         #[inline(always)]
@@ -351,7 +352,7 @@ fn scatter(
                                             match (
                                                 __field_grid
                                                     .of_target(&__task, 0usize)
-                                                    .based(base, [0, 0], [1, 0]),
+                                                    .based(&__corners1_0, base, [0, 0], [1, 0]),
                                             ) {
                                                 (::core::option::Option::Some(__b1_0),) => {
                                                     {

@@ -2,7 +2,14 @@
 
 use allotrope::prelude::*;
 
-use crate::Node;
+use crate::instruction_sets;
+
+/// A grid node.
+#[derive(Record, Clone, Copy, Default, Debug, PartialEq)]
+struct Node {
+    v: Vec2,
+    m: f32,
+}
 
 /// A material point.
 #[derive(Record, Clone, Copy, Default, Debug, PartialEq)]
@@ -109,7 +116,7 @@ fn mass_and_momentum_arrive_under_every_schedule() {
 }
 
 #[test]
-fn layouts_agree() {
+fn layouts_and_instruction_sets_agree() {
     fn run<P: Layout<I>, G: Layout<Ij>>() -> Vec<Point> {
         let mut points = points::<P>(500);
         let mut grid = Field::<Node, G>::new([N, N]);
@@ -117,8 +124,19 @@ fn layouts_agree() {
         grid_to_particle(&mut points, &grid, &MPM, 1e-3);
         points.iter().collect()
     }
-    let serial = Schedule { threads: 1, scatter: Scatter::Serial, ..Schedule::default() };
-    assert_eq!(serial.run(run::<Aos, Soa>), serial.run(run::<AoSoA<16>, Blocked<4>>));
+    let runs = [run::<Aos, Soa>, run::<AoSoA<16>, Blocked<4>>, run::<Aos, Sparse<4>>];
+    let with = |scatter, threads, cpu| {
+        let schedule = Schedule { threads, scatter, deterministic: true, cpu: Some(cpu), grain: 64 };
+        runs.map(|run| schedule.run(run))
+    };
+    let (serial, private) = (with(Scatter::Serial, 1, Cpu::Baseline), with(Scatter::Private, 1, Cpu::Baseline));
+    assert!(serial.iter().all(|points| *points == serial[0]));
+    for cpu in instruction_sets() {
+        for threads in [1, 3] {
+            assert!(with(Scatter::Serial, threads, cpu) == serial, "serial, {cpu}, {threads} threads");
+            assert!(with(Scatter::Private, threads, cpu) == private, "private, {cpu}, {threads} threads");
+        }
+    }
 }
 
 #[test]
