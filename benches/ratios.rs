@@ -2,122 +2,26 @@
 //!
 //! `cargo bench --bench ratios [-- FILTER]` prints, for each pair, the median times, and the median of the paired ratios with its
 //! 95 % bootstrap interval. `ALLOTROPE_CPU` chooses the instruction set, `ROUNDS` how often all is allocated anew (5 unless told),
-//! `PAIRS` the pairs a round (13).
+//! `PAIRS` the pairs a round (13), `THREADS` the threads of kernels (1; twins have one).
 //! In every round both results are compared.
 
-#[allow(dead_code, unreachable_pub, reason = "two benches share it, and each uses a part")]
+#[allow(dead_code, reason = "two benches share it, and each uses a part")]
+mod harness;
+#[allow(dead_code, unreachable_pub, reason = "benches share it, and each uses a part")]
 mod twins;
-#[allow(dead_code, unreachable_pub, reason = "two benches share it, and each uses a part")]
+#[allow(dead_code, unreachable_pub, reason = "benches share it, and each uses a part")]
 mod workloads;
 
-use std::cell::RefCell;
 use std::hint::black_box;
-use std::time::{Duration, Instant};
 
 use allotrope::prelude::*;
+use harness::{Pairs, same};
 use twins::Aligned;
 use twins::transfer::{Apart, Block, Blocks, Interleaved, NodeLists, NodeRecords};
 use twins::{bodies as hand_bodies, stencils as hand_stencils, streams as hand_streams, transfer as hand};
 use workloads::stencils::{Four, ramp};
 use workloads::transfer::{Mpm, Node, Point, drawn_points, sorted_points};
 use workloads::{bodies, stencils, streams, transfer};
-
-/// Pairs of one kernel and one twin.
-struct Pairs {
-    filter: Option<String>,
-    /// Pairs a round.
-    count: usize,
-    cpu: Cpu,
-    lines: RefCell<Vec<Line>>,
-}
-
-/// What was measured of one pair.
-struct Line {
-    name: String,
-    kernel: Vec<f64>,
-    twin: Vec<f64>,
-}
-
-impl Line {
-    fn print(&mut self, cpu: Cpu) {
-        let mut ratios: Vec<f64> = self.kernel.iter().zip(&self.twin).map(|(kernel, twin)| kernel / twin).collect();
-        let (low, high) = bootstrap(&ratios);
-        let (kernel, twin) = (median(&mut self.kernel) * 1e3, median(&mut self.twin) * 1e3);
-        let digits = if kernel < 0.01 { 6 } else { 4 };
-        println!(
-            "| {} | {cpu} | {kernel:.digits$} | {twin:.digits$} | {:.3} | {low:.3} to {high:.3} |",
-            self.name,
-            median(&mut ratios)
-        );
-    }
-}
-
-/// Runs `work` as often as takes a few milliseconds, and returns the time of one.
-fn time(repeat: u32, work: &mut dyn FnMut()) -> f64 {
-    let start = Instant::now();
-    for _ in 0..repeat {
-        work();
-    }
-    start.elapsed().as_secs_f64() / f64::from(repeat)
-}
-
-fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let middle = values.len() / 2;
-    if values.len() % 2 == 1 { values[middle] } else { 0.5 * (values[middle - 1] + values[middle]) }
-}
-
-/// The 95 % interval of the median, from 2000 resamples.
-fn bootstrap(values: &[f64]) -> (f64, f64) {
-    let mut state = 1u64;
-    let mut medians: Vec<f64> = (0..2000)
-        .map(|_| {
-            let mut sample: Vec<f64> = (0..values.len())
-                .map(|_| {
-                    state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-                    values[(state >> 33) as usize % values.len()]
-                })
-                .collect();
-            median(&mut sample)
-        })
-        .collect();
-    medians.sort_by(f64::total_cmp);
-    (medians[50], medians[1949])
-}
-
-impl Pairs {
-    fn wants(&self, name: &str) -> bool {
-        self.filter.as_ref().is_none_or(|filter| name.contains(filter))
-    }
-
-    fn run(&self, name: &str, mut kernel: impl FnMut(), mut twin: impl FnMut()) {
-        kernel();
-        twin();
-        let once = time(1, &mut twin);
-        let repeat = (0.004 / once).clamp(1.0, 10_000.0) as u32;
-        let mut lines = self.lines.borrow_mut();
-        if !lines.iter().any(|line| line.name == name) {
-            lines.push(Line { name: name.to_owned(), kernel: Vec::new(), twin: Vec::new() });
-        }
-        let line = lines.iter_mut().find(|line| line.name == name).expect("pushed just now");
-        for pair in 0..self.count {
-            // Each goes first as often as second.
-            if pair % 2 == 0 {
-                line.kernel.push(time(repeat, &mut kernel));
-                line.twin.push(time(repeat, &mut twin));
-            } else {
-                line.twin.push(time(repeat, &mut twin));
-                line.kernel.push(time(repeat, &mut kernel));
-            }
-        }
-    }
-}
-
-fn same(name: &str, ours: &[f32], theirs: &[f32], tolerance: f32) {
-    assert_eq!(ours.len(), theirs.len(), "{name}: lengths");
-    let worst = ours.iter().zip(theirs).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
-    assert!(worst <= tolerance, "{name}: kernel and twin differ by {worst}");
-}
 
 fn stream_pairs(pairs: &Pairs) {
     for (size, label) in [(1 << 24, "2^24"), (1 << 20, "2^20"), (1 << 17, "2^17"), (1 << 14, "2^14")] {
@@ -474,31 +378,12 @@ impl<R: Record, L: Layout<Ij>> FromShape for Field<R, L, Ij> {
 }
 
 fn main() {
-    let filter = std::env::args().skip(1).find(|arg| !arg.starts_with('-'));
-    let number = |name: &str, usual: usize| {
-        let text = std::env::var(name).ok();
-        text.map_or(usual, |text| text.parse().unwrap_or_else(|_| panic!("{name}={text}: give a number")))
-    };
-    let (rounds, count) = (number("ROUNDS", 5), number("PAIRS", 13));
-    let schedule = Schedule { threads: 1, ..Schedule::default() };
-    let pairs = Pairs { filter, count, cpu: schedule.instruction_set(), lines: RefCell::default() };
-    let start = Instant::now();
-    schedule.run(|| {
-        // Where memory lies decides some per cent of a stream's time: every round allocates anew.
-        for _ in 0..rounds {
-            stream_pairs(&pairs);
-            jacobi_pairs(&pairs);
-            laplacian_pairs(&pairs);
-            body_pairs(&pairs);
-            transfer_pairs(&pairs);
-            morton_pairs(&pairs);
-        }
+    harness::rounds(|pairs| {
+        stream_pairs(pairs);
+        jacobi_pairs(pairs);
+        laplacian_pairs(pairs);
+        body_pairs(pairs);
+        transfer_pairs(pairs);
+        morton_pairs(pairs);
     });
-    println!("| kernel | set | kernel ms | twin ms | ratio | 95 % interval |");
-    println!("|---|---|---|---|---|---|");
-    for line in pairs.lines.borrow_mut().iter_mut() {
-        line.print(pairs.cpu);
-    }
-    let spent: Duration = start.elapsed();
-    println!("\n{} pairs a line in {rounds} rounds, one thread, {:.0} s in all", rounds * count, spent.as_secs_f64());
 }

@@ -1,6 +1,7 @@
 //! Hand-written twins of the kernels: what an expert would write for one layout. `unsafe` is allowed here.
 
 pub(crate) mod bodies;
+pub(crate) mod shell;
 pub(crate) mod stencils;
 pub(crate) mod streams;
 pub(crate) mod transfer;

@@ -122,16 +122,27 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     /// A block of a sparse branch; where there is none, the background's.
     #[inline(always)]
     pub(crate) fn brick(&self, m: usize, block: &Block) -> *mut u8 {
-        let store = self.store(m);
-        let find = || {
-            let found = Map::<R, L, X>::find(&self.geometry, store, m, block);
-            if found.is_null() { store.background } else { found }
-        };
+        // Copies: what a call could reach would have to stay in memory, with all that it is a part of.
+        let (this, at) = (*self, *block);
         if self.paths.is_null() {
-            return find();
+            return this.find(m, at);
         }
         // SAFETY: whoever gave the handle paths keeps them alive and on this thread.
-        unsafe { (*self.paths).get(block, self.copy + Map::<R, L, X>::branch(m) as u32, find) }
+        unsafe {
+            (*self.paths).get(
+                block,
+                self.copy + Map::<R, L, X>::branch(m) as u32,
+                #[inline(always)]
+                move || this.find(m, at),
+            )
+        }
+    }
+
+    #[inline(never)]
+    fn find(self, m: usize, block: Block) -> *mut u8 {
+        let store = self.store(m);
+        let found = Map::<R, L, X>::find(&self.geometry, store, m, &block);
+        if found.is_null() { store.background } else { found }
     }
 
     /// Makes `corners` the blocks that follow `first` by none or one along each of up to three axes; for those that lie beyond the field,
@@ -140,7 +151,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     pub(crate) fn around(&self, corners: &L::Corners, first: Block) {
         // SAFETY: whoever gave the handle paths keeps them alive and on this thread.
         let grown = if self.paths.is_null() { 0 } else { unsafe { (*self.paths).grown() } };
-        // A copy, as in `grow`.
+        // A copy, as in `brick`.
         let this = *self;
         corners.seek(&first, grown, move || this.find_around(first));
     }
@@ -168,6 +179,14 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
         let brick = if core::ptr::eq(brick, self.store(m).background) { self.grow(m, block) } else { brick };
         self.activate_in(m, brick, block, inner);
         brick
+    }
+
+    /// A block, made where there is none: apart, for whoever has seen that there was none.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn found_or_grown(self, m: usize, block: Block) -> *mut u8 {
+        let brick = self.brick(m, &block);
+        if core::ptr::eq(brick, self.store(m).background) { self.grow(m, &block) } else { brick }
     }
 
     /// Makes a cell of a block that is there active.
@@ -210,7 +229,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     /// Makes a block, and remembers it.
     #[inline(always)]
     pub(crate) fn grow(&self, m: usize, block: &Block) -> *mut u8 {
-        // A copy: what a call could reach would have to stay in memory, with all that it is a part of.
+        // Copies, as in `brick`.
         Self::grow_cold(*self, m, *block)
     }
 

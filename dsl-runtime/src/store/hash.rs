@@ -189,11 +189,19 @@ impl Hash {
                 continue;
             }
             // SAFETY: as the caller promises, nobody else reaches the tables.
-            unsafe { shard.empty(&mut tables, before) };
+            unsafe { if kept.is_empty() { shard.empty(&mut tables, before) } else { shard.clear(&mut tables) } };
             for (key, block) in kept {
                 // SAFETY: the lock is held.
                 unsafe { shard.insert(&mut tables, &key, block) };
             }
+        }
+    }
+
+    /// Frees the tables without a block.
+    pub(crate) fn shrink(&mut self) {
+        for shard in self.shards.iter().filter(|shard| shard.count.load(Ordering::Relaxed) == 0) {
+            // SAFETY: `&mut` is exclusive.
+            unsafe { shard.clear(&mut lock(&shard.tables)) };
         }
     }
 
@@ -240,8 +248,8 @@ impl Shard {
         self.count.store(count, Ordering::Relaxed);
     }
 
-    /// Takes all blocks out. The newest table stays if it is not far too large for as many as it held before, which may soon be made
-    /// anew.
+    /// Takes all blocks out. The newest table stays if it is not far too large for as many as it held before: a field that is cleared
+    /// in every step soon holds as many again.
     ///
     /// # Safety
     /// Nobody else reaches the tables.

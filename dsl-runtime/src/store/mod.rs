@@ -210,8 +210,9 @@ impl Store {
         }
     }
 
-    /// Gives slabs back to the system of which no block is in use.
+    /// Gives slabs back to the system of which no block is in use, and tables without one.
     pub(crate) fn shrink(&mut self) {
+        self.hash.as_mut().into_iter().for_each(Hash::shrink);
         self.tables.iter_mut().for_each(Pool::shrink);
         self.bricks.shrink();
     }

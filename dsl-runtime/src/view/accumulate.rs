@@ -76,7 +76,8 @@ where
     #[inline(always)]
     #[track_caller]
     fn locate_at<'b>(&self, base: &'b Based<'b, L, X>, offset: impl IntoIndex<X>) -> Near<'b, L, X> {
-        self.lane.near(base, offset)
+        // A base for accumulation is made from where this job accumulates, as this view is.
+        self.lane.near_own(base, offset)
     }
 
     #[inline(always)]

@@ -23,7 +23,8 @@ pub struct Based<'b, L: Layout<X>, X: Axes> {
     origin: [i32; MAX_AXES],
     /// The blocks around, of a sparse field.
     corners: &'b L::Corners,
-    /// Whose they are: null where they are not known.
+    /// Whether they are known, and whose they are.
+    known: bool,
     root: *mut u8,
     /// The offset along each axis at which the next block begins.
     edge: [i64; 3],
@@ -38,6 +39,8 @@ pub trait Corners: Default + core::fmt::Debug + 'static {
     fn seek(&self, first: &Block, grown: u32, find: impl FnOnce() -> [*mut u8; 8]);
     /// The block beside the first along those axes `a` whose bit `1 << a` is set.
     fn get(&self, corner: usize) -> *mut u8;
+    /// Puts another there, which has just been made.
+    fn put(&self, corner: usize, block: *mut u8);
 }
 impl Corners for () {
     #[inline(always)]
@@ -46,6 +49,7 @@ impl Corners for () {
     fn get(&self, _: usize) -> *mut u8 {
         core::ptr::null_mut()
     }
+    fn put(&self, _: usize, _: *mut u8) {}
 }
 
 /// The blocks around a base of a sparse field of up to three axes.
@@ -75,6 +79,10 @@ impl Corners for EightCorners {
     #[inline(always)]
     fn get(&self, corner: usize) -> *mut u8 {
         self.blocks.as_array_of_cells()[corner % 8].get()
+    }
+    #[inline(always)]
+    fn put(&self, corner: usize, block: *mut u8) {
+        self.blocks.as_array_of_cells()[corner % 8].set(block);
     }
 }
 
@@ -130,6 +138,7 @@ impl<'b, L: Layout<X>, X: Axes> Based<'b, L, X> {
                 shape,
                 origin,
                 corners,
+                known: false,
                 root: core::ptr::null_mut(),
                 edge: [0; 3],
                 axes: PhantomData,
@@ -152,7 +161,7 @@ impl<'b, L: Layout<X>, X: Axes> Based<'b, L, X> {
         let first = per_axis(|a| if a < X::RANK { start(a) / extent(a) } else { 0 });
         let edge = |a: usize| i64::from(self.low[a]) + i64::from(extent(a) - start(a) % extent(a));
         self.edge = core::array::from_fn(|a| if a < X::RANK { edge(a) } else { i64::MAX });
-        self.root = handle.root;
+        (self.known, self.root) = (true, handle.root);
         handle.around(self.corners, first);
         self
     }
@@ -165,14 +174,34 @@ impl<'b, L: Layout<X>, X: Axes> Based<'b, L, X> {
         )
     }
 
-    /// The block at an offset, of the field or of a job's copy of it; null where it is not known.
+    /// Which of the blocks around the offset lies in.
     #[inline(always)]
-    pub(super) fn corner(&self, root: *mut u8, offset: [i64; MAX_AXES]) -> *mut u8 {
-        if !core::ptr::eq(root, self.root) || !self.holds(offset) {
-            return core::ptr::null_mut();
-        }
+    fn corner_of(&self, offset: [i64; MAX_AXES]) -> usize {
         let next = |a: usize| usize::from(offset[a] >= self.edge[a]) << a;
-        self.corners.get(next(0) | next(1) | next(2))
+        next(0) | next(1) | next(2)
+    }
+
+    /// Whether the blocks around, where they are known, are those of a root: the field's, or that of a job's copy of it.
+    #[inline(always)]
+    pub(super) fn is_of(&self, root: *mut u8) -> bool {
+        !self.known || core::ptr::eq(root, self.root)
+    }
+
+    /// The block at an offset of whoever the blocks around are of, where they are known.
+    #[inline(always)]
+    pub(super) fn corner(&self, offset: [i64; MAX_AXES]) -> Option<*mut u8> {
+        (self.known && self.holds(offset)).then(
+            #[inline(always)]
+            || self.corners.get(self.corner_of(offset)),
+        )
+    }
+
+    /// Notes the block at an offset, which has been made since.
+    #[inline(always)]
+    pub(super) fn learn(&self, offset: [i64; MAX_AXES], block: *mut u8) {
+        if self.known && self.holds(offset) {
+            self.corners.put(self.corner_of(offset), block);
+        }
     }
 
     /// `base + offset` where the offset lies in the box, which folds to nothing for unrolled offsets. Otherwise the sum

@@ -25,8 +25,10 @@ pub(super) struct Lane<'a, R, L, X, P> {
 pub(super) trait Spot<L: Layout<X>, X: Axes>: Copy {
     /// Its place.
     fn place(&self) -> [u32; MAX_AXES];
-    /// Its block, where it is known; else null.
-    fn block(&self, root: *mut u8) -> *mut u8;
+    /// Its block, where it is known.
+    fn block(&self) -> Option<*mut u8>;
+    /// Notes its block, which has been made since.
+    fn learn(&self, block: *mut u8);
 }
 impl<L: Layout<X>, X: Axes> Spot<L, X> for [u32; MAX_AXES] {
     #[inline(always)]
@@ -34,14 +36,18 @@ impl<L: Layout<X>, X: Axes> Spot<L, X> for [u32; MAX_AXES] {
         *self
     }
     #[inline(always)]
-    fn block(&self, _: *mut u8) -> *mut u8 {
-        core::ptr::null_mut()
+    fn block(&self) -> Option<*mut u8> {
+        None
     }
+    #[inline(always)]
+    fn learn(&self, _: *mut u8) {}
 }
 
 /// A place at an offset from a base.
 pub(super) struct Near<'b, L: Layout<X>, X: Axes> {
     base: &'b Based<'b, L, X>,
+    /// Whether the blocks around the base are those of who asks.
+    own: bool,
     offset: [i64; MAX_AXES],
     place: [u32; MAX_AXES],
 }
@@ -58,8 +64,14 @@ impl<L: Layout<X>, X: Axes> Spot<L, X> for Near<'_, L, X> {
         self.place
     }
     #[inline(always)]
-    fn block(&self, root: *mut u8) -> *mut u8 {
-        self.base.corner(root, self.offset)
+    fn block(&self) -> Option<*mut u8> {
+        if self.own { self.base.corner(self.offset) } else { None }
+    }
+    #[inline(always)]
+    fn learn(&self, block: *mut u8) {
+        if self.own {
+            self.base.learn(self.offset, block);
+        }
     }
 }
 
@@ -136,7 +148,15 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
     #[track_caller]
     pub(super) fn near<'b>(&self, base: &'b Based<'b, L, X>, offset: impl IntoIndex<X>) -> Near<'b, L, X> {
         let offset = offset.coordinates();
-        Near { base, offset, place: base.plus(offset, self.site) }
+        Near { base, own: base.is_of(self.handle.root), offset, place: base.plus(offset, self.site) }
+    }
+
+    /// The same for a view with the base's own root, which need not be asked: the compiler would have to keep what is done otherwise.
+    #[inline(always)]
+    #[track_caller]
+    pub(super) fn near_own<'b>(&self, base: &'b Based<'b, L, X>, offset: impl IntoIndex<X>) -> Near<'b, L, X> {
+        debug_assert!(base.is_of(self.handle.root), "a base of where this job accumulates");
+        Near { own: true, ..self.near(base, offset) }
     }
 
     /// The place that a boundary rule gives for an index.
@@ -165,8 +185,10 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
     #[inline(always)]
     fn block(&self, spot: impl Spot<L, X>) -> (*mut u8, Block, [u32; MAX_AXES]) {
         let (block, inner) = Handle::<R, L, X>::split(Self::MEMBER, spot.place());
-        let known = spot.block(self.handle.root);
-        let start = if known.is_null() { self.handle.brick(Self::MEMBER, &block) } else { known };
+        let start = match spot.block() {
+            Some(known) => known,
+            None => self.handle.brick(Self::MEMBER, &block),
+        };
         (start, block, inner)
     }
 
@@ -187,10 +209,10 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
             let (mut start, block, inner) = self.block(spot);
             if core::ptr::eq(start, self.background) {
                 // Perhaps another of the job's views has made it meanwhile.
-                start = self.handle.touch(Self::MEMBER, &block, &inner);
-            } else {
-                self.handle.activate_in(Self::MEMBER, start, &block, &inner);
+                start = self.handle.found_or_grown(Self::MEMBER, block);
+                spot.learn(start);
             }
+            self.handle.activate_in(Self::MEMBER, start, &block, &inner);
             return self.handle.component_in(Self::MEMBER, start, &inner);
         }
         self.address_in_memory(spot.place())
