@@ -342,17 +342,24 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     pub(crate) fn actives(&self, m: usize) -> Arc<ActiveList> {
         let store = self.store(m);
         let mut actives = store.actives.lock();
+        // Asked first: what changes from here on is marked again.
         let stale = store.take_mark();
-        match &actives.newest {
-            Some(list) if !stale => Arc::clone(list),
-            _ => {
-                let list = Arc::new(Map::<R, L, X>::active(&self.geometry, store, m));
-                if let Some(old) = actives.newest.replace(Arc::clone(&list)) {
-                    // A loop may still be running over it.
-                    actives.older.push(old);
-                }
-                list
-            }
+        if let Some(list) = &actives.newest
+            && !stale
+            && actives.making == 0
+        {
+            return Arc::clone(list);
         }
+        actives.making += 1;
+        drop(actives);
+        // Without the lock: a thread that waits for its helpers may be given work that asks for the list, too.
+        let list = Arc::new(Map::<R, L, X>::active(&self.geometry, store, m));
+        let mut actives = store.actives.lock();
+        actives.making -= 1;
+        if let Some(old) = actives.newest.replace(Arc::clone(&list)) {
+            // A loop may still be running over it.
+            actives.older.push(old);
+        }
+        list
     }
 }

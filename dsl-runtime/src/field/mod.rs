@@ -12,7 +12,7 @@ mod member;
 pub(crate) mod memory;
 mod order;
 mod parallel;
-mod parts;
+pub(crate) mod parts;
 mod reduce;
 mod scan;
 pub(crate) mod source;

@@ -26,11 +26,16 @@ pub(super) fn in_parts<T: Send>(list: &mut [T], work: impl Fn(usize, &mut [T]) +
 
 /// Works on the parts of `0..len`, each once; returns their results in order.
 pub(super) fn each_part<T: Send>(len: usize, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
-    let parts = len.div_ceil(PART);
+    each_part_of(PART, len, work)
+}
+
+/// The same with parts of another size.
+pub(crate) fn each_part_of<T: Send>(part_len: usize, len: usize, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+    let parts = len.div_ceil(part_len);
     let mut results: Vec<Mutex<Option<T>>> = Vec::new();
     results.resize_with(parts, || Mutex::new(None));
     run_jobs(threads(), parts, &|part| {
-        let result = work(part * PART..len.min((part + 1) * PART));
+        let result = work(part * part_len..len.min((part + 1) * part_len));
         *results[part].lock().unwrap_or_else(PoisonError::into_inner) = Some(result);
     });
     let result = |slot: Mutex<Option<T>>| slot.into_inner().unwrap_or_else(PoisonError::into_inner);

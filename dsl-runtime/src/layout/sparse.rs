@@ -4,6 +4,7 @@ use super::levels::{Block, Brick, Levels, ListSpec};
 use super::node::Root;
 use super::{Geometry, Inner, Layout, Map};
 use crate::axes::{Axes, MAX_AXES, per_axis, sum};
+use crate::field::parts::each_part_of;
 use crate::record::Record;
 use crate::store::active::ActiveList;
 use crate::store::list::Head;
@@ -11,13 +12,39 @@ use crate::store::{Sizes, Store};
 
 /// Puts cells in the order of their ranks. Sorting is much code: there is one copy of it for all layouts.
 #[inline(never)]
-fn in_rank(cells: &mut [(Block, Block, *mut u8)]) {
-    cells.sort_unstable_by_key(|&(rank, ..)| rank);
+fn in_rank(cells: &mut [Hashed]) {
+    cells.sort_unstable_by_key(|cell| cell.rank);
 }
+
+/// A cell of a root that is a hash.
+#[derive(Clone, Copy)]
+struct Hashed {
+    /// Its coordinates in the order of the root's axes.
+    rank: Block,
+    key: Block,
+    cell: *mut u8,
+}
+
+// SAFETY: the address is that of a node which the store owns; who may touch it when is settled by the borrow of the field.
+unsafe impl Sync for Hashed {}
+
+/// The cells of a root.
+struct Roots {
+    /// In order, where they are found by hashing.
+    hashed: Vec<Hashed>,
+    count: usize,
+}
+
+/// The root's cells that a job looks through for active blocks.
+const ROOTS: usize = 1 << 12;
 
 impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// Whether the first branch is sparse.
     const SPARSE: bool = L::CHAIN.is_sparse();
+    const GRAIN: usize = match &L::CHAIN.tree {
+        Some(tree) => tree.grain,
+        None => 0,
+    };
     const HASHED: bool = matches!(&L::CHAIN.tree, Some(tree) if matches!(tree.root, Root::Hash));
     /// Blocks that a cell of the root spans.
     const SPAN: crate::axes::PerAxis = <L::Levels as Levels<X>>::SPAN;
@@ -189,33 +216,37 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         if !Self::here(m) {
             return Map::<R, L::Rest, X>::walk(&geometry.rest::<L, X>(), store, m, visit);
         }
-        for (cell, first) in Self::root_cells(geometry, store) {
+        let roots = Self::roots(geometry, store);
+        for (cell, first) in (0..roots.count).map(|n| Self::root(geometry, store, &roots, n)) {
             // SAFETY: a cell of the store's root is a node of the uppermost level, whose first block this is.
             unsafe { <L::Levels as Levels<X>>::walk(cell, first, visit) };
         }
     }
 
-    /// The root's cells in order, each with its first block.
-    fn root_cells(geometry: &Geometry, store: &Store) -> impl Iterator<Item = (*mut u8, Block)> {
+    /// The root's cells in order.
+    fn roots(geometry: &Geometry, store: &Store) -> Roots {
+        let Some(hash) = &store.hash else { return Roots { hashed: Vec::new(), count: geometry.cells } };
+        let mut hashed = Vec::with_capacity(hash.len());
+        hash.each(|key, cell| hashed.push(Hashed { rank: Self::ranked(key), key, cell }));
+        in_rank(&mut hashed);
+        Roots { count: hashed.len(), hashed }
+    }
+
+    /// One of them, with its first block.
+    #[inline]
+    fn root(geometry: &Geometry, store: &Store, roots: &Roots, n: usize) -> (*mut u8, Block) {
         let span = |at: Block| -> Block { core::array::from_fn(|a| at[a] * Self::SPAN[a] as u32) };
-        let mut hashed = Vec::new();
-        if let Some(hash) = &store.hash {
-            hashed.reserve(hash.len());
-            hash.each(|key, cell| hashed.push((Self::ranked(key), key, cell)));
-            in_rank(&mut hashed);
+        if Self::HASHED {
+            let Hashed { key, cell, .. } = roots.hashed[n];
+            return (cell, span(key));
         }
-        let grid = if store.hash.is_some() { 0 } else { geometry.cells };
-        let (axes, count) = super::order::<X>(L::CHAIN.root);
-        let (blocks, start) = (geometry.blocks, store.grid);
-        let in_grid = (0..grid).map(move |n| {
-            let (mut at, mut rest) = ([0; MAX_AXES], n);
-            for &axis in axes[..count].iter().rev() {
-                at[axis] = (rest % blocks[axis]) as u32;
-                rest /= blocks[axis];
-            }
-            (start.wrapping_add(n * Self::CELL), span(at))
-        });
-        hashed.into_iter().map(move |(_, key, cell)| (cell, span(key))).chain(in_grid)
+        let (axes, count) = const { super::order::<X>(L::CHAIN.root) };
+        let (mut at, mut rest) = ([0; MAX_AXES], n);
+        for &axis in axes[..count].iter().rev() {
+            at[axis] = (rest % geometry.blocks[axis]) as u32;
+            rest /= geometry.blocks[axis];
+        }
+        (store.grid.wrapping_add(n * Self::CELL), span(at))
     }
 
     /// Coordinates in the order of the root's axes, the first most significant.
@@ -240,7 +271,8 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
             // SAFETY: `&mut` is exclusive.
             unsafe { hash.retain(&mut kept) };
         } else {
-            for (cell, first) in Self::root_cells(geometry, store) {
+            let roots = Self::roots(geometry, store);
+            for (cell, first) in (0..roots.count).map(|n| Self::root(geometry, store, &roots, n)) {
                 // SAFETY: as above.
                 let empty = unsafe { <L::Levels as Levels<X>>::sweep(cell, first, store, 0, keep) };
                 if bytes == 0 && empty {
@@ -313,31 +345,46 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         }
     }
 
-    /// The active elements of a member's branch.
+    /// The active elements of a member's branch, looked for in parallel.
     pub(crate) fn active(geometry: &Geometry, store: &Store, m: usize) -> ActiveList {
-        let (chain, bits_at) = (Self::chain(m), Self::bits_at(m));
-        let bits = chain.bits();
-        let words = bits.div_ceil(64);
-        let mut list = ActiveList::new(words);
-        Self::walk(geometry, store, m, &mut |brick| {
-            let work = if bits > 0 {
-                let before = list.bits.len();
-                let mut count = 0;
-                for word in 0..words {
-                    let (bits, _) = Store::bit_of(brick.start, bits_at, word * 64);
-                    let bits = bits.load(core::sync::atomic::Ordering::Relaxed);
-                    count += bits.count_ones() as usize;
-                    list.bits.push(bits);
-                }
-                if count == 0 {
-                    list.bits.truncate(before);
-                }
-                count * Self::grain(m)
-            } else {
-                brick.entries.min(chain.cells)
-            };
-            list.push(&brick, work);
-        });
+        if !Self::here(m) {
+            return Map::<R, L::Rest, X>::active(&geometry.rest::<L, X>(), store, m);
+        }
+        let roots = Self::roots(geometry, store);
+        let mut parts = each_part_of(ROOTS, roots.count, |part| {
+            let mut list = ActiveList::new(L::CHAIN.bits().div_ceil(64));
+            for n in part {
+                let (cell, first) = Self::root(geometry, store, &roots, n);
+                // SAFETY: a cell of the store's root is a node of the uppermost level, whose first block this is.
+                unsafe { <L::Levels as Levels<X>>::walk(cell, first, &mut |brick| Self::note(&mut list, &brick)) };
+            }
+            list
+        })
+        .into_iter();
+        let mut list = parts.next().unwrap_or_else(|| ActiveList::new(L::CHAIN.bits().div_ceil(64)));
+        parts.for_each(|part| list.append(&part));
         list
+    }
+
+    /// Adds a block to the active ones, if it has active elements.
+    fn note(list: &mut ActiveList, brick: &Brick) {
+        let (bits, words) = (L::CHAIN.bits(), list.words);
+        let work = if bits > 0 {
+            let before = list.bits.len();
+            let mut count = 0;
+            for word in 0..words {
+                let (bits, _) = Store::bit_of(brick.start, Self::SIZES.bits_at, word * 64);
+                let bits = bits.load(core::sync::atomic::Ordering::Relaxed);
+                count += bits.count_ones() as usize;
+                list.bits.push(bits);
+            }
+            if count == 0 {
+                list.bits.truncate(before);
+            }
+            count * Self::GRAIN
+        } else {
+            brick.entries.min(L::CHAIN.cells)
+        };
+        list.push(brick, work);
     }
 }

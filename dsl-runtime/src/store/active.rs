@@ -37,6 +37,8 @@ unsafe impl Sync for ActiveBrick {}
 pub(crate) struct Actives {
     pub(crate) newest: Option<Arc<ActiveList>>,
     pub(crate) older: Vec<Arc<ActiveList>>,
+    /// How many threads are making a new list: until they have, the newest is not new enough.
+    pub(crate) making: usize,
 }
 
 impl ActiveList {
@@ -55,6 +57,18 @@ impl ActiveList {
         for (a, &b) in brick.block.iter().enumerate() {
             self.first[a] = self.first[a].min(b.into());
             self.end[a] = self.end[a].max(u64::from(b) + 1);
+        }
+    }
+
+    /// Adds what another list holds behind what this one does.
+    pub(crate) fn append(&mut self, other: &Self) {
+        let before = self.work();
+        self.bricks.extend_from_slice(&other.bricks);
+        self.ends.extend(other.ends.iter().map(|end| before + end));
+        self.bits.extend_from_slice(&other.bits);
+        for a in 0..MAX_AXES {
+            self.first[a] = self.first[a].min(other.first[a]);
+            self.end[a] = self.end[a].max(other.end[a]);
         }
     }
 

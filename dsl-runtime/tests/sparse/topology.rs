@@ -200,3 +200,34 @@ fn bytes_follow_the_blocks() {
     shell.prune();
     assert!(shell.bytes() <= table + 64, "{} bytes of nothing", shell.bytes());
 }
+
+/// Notes the elements in the loop's order.
+#[kernel]
+fn order(field: &Field<f32, _, Ij>, seen: &mut Field<IVec2, layout!(dynamic(i, 1_000_000, chunk = 4096).aos), I>) {
+    for at in field {
+        seen.append((), at);
+    }
+}
+
+/// So many blocks that several jobs look for the active ones: what they find is one list, in memory order.
+#[test]
+fn active_blocks_of_large_roots_come_in_memory_order() {
+    fn check<L: Layout<Ij>>(mut field: Field<f32, L, Ij>, side: i32) {
+        let mut numbers = super::Numbers(side as u64);
+        for round in 0..3 {
+            for _ in 0..8_000 {
+                let at = ivec2(numbers.below(1200) as i32, numbers.below(1200) as i32);
+                if round == 2 { field.deactivate(at) } else { field.set(at, 1.0) }
+            }
+            let mut expected: Vec<IVec2> = field.active_iter().map(|(at, _)| at).collect();
+            expected.sort_by_key(|at| (at.x / side, at.y / side, at.x % side, at.y % side));
+            let mut seen = Field::<IVec2, layout!(dynamic(i, 1_000_000, chunk = 4096).aos), I>::new([]);
+            Schedule { threads: 3, deterministic: true, ..Schedule::default() }.run(|| order(&field, &mut seen));
+            let seen: Vec<IVec2> = seen.active_iter().map(|(_, at)| at).collect();
+            assert!(seen == expected, "round {round}: {} elements, {} expected", seen.len(), expected.len());
+        }
+    }
+    check(Field::<f32, layout!(pointer(ij).bitmasked(ij, 4).aos)>::new([1200, 1200]), 4);
+    check(Field::<f32, Sparse<4>>::new([1200, 1200]), 4);
+    check(Field::<f32, layout!(hash(ij).bitmasked(ij, 4).aos), Ij>::unbounded(), 4);
+}
