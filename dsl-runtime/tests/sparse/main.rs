@@ -3,6 +3,7 @@
 mod concurrent;
 mod lists;
 mod model;
+mod stencils;
 mod topology;
 mod workloads;
 
