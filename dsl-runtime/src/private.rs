@@ -8,17 +8,17 @@ pub use crate::field::{Entries, EntryTuples, Handle, Storage};
 pub use crate::index::wide;
 pub use crate::launch::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, sifted};
 pub use crate::launch::{
-    Cell, Options, Outs, Partial, Reduction, Run, Space, Strip, Task, interior, launch, launch_own, of_branch, over,
-    range, reduction,
+    Cell, Options, Outs, Partial, Reduction, Run, Space, Strip, Task, interior, launch, launch_keyed, launch_own,
+    of_branch, over, range, reduction,
 };
 pub use crate::layout::{Brick, Head, ListSpec, Root, TreeSpec};
 pub use crate::number::{BitAnd, BitOr, BitXor, ComponentMul, Max, Min, Product, Sum};
 pub use crate::record::{
     At, ElementList, MemberMuts, MemberRefs, MemberSpec, PartMut, PartRef, Path, Tag, Under, Whole,
 };
-pub use crate::scatter::{Op, Scattered, Target};
+pub use crate::scatter::{Coordinates, Key, Op, Scattered, Sink, Target, key};
 pub use crate::view::{
-    Accumulate, Based, Beside, Boxed, Buffer, Corners, Free, Held, Linear, OfLoop, Other, Own, OwnFree, Read, Row,
+    Accumulate, Based, Beside, Boxed, Buffer, Corners, Far, Free, Held, Linear, OfLoop, Other, Own, OwnFree, Read, Row,
     Site, Together, Var, View, assert_packed, buffer, exclusive, negative, shared,
 };
 pub use crate::view::{EightCorners, Whose};

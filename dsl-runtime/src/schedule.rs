@@ -11,14 +11,19 @@ use crate::launch::cpu::Cpu;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Scatter {
-    /// Chosen from threads, extents and work: `Serial` on one thread or for little work, else `Private` where the
-    /// copies fit in memory, else `Serial` below ten threads and `Atomic` from there on.
+    /// Chosen from threads, extents and work: `Serial` on one thread or for little work; `Colored` where it is known how far updates reach
+    /// and copies would cost more, since the field is sparse, or has many cells an element, or lies in no cache while the loop's order has
+    /// nothing to do with it; else `Private` where the copies fit in memory, else `Serial` below ten threads and `Atomic` from there on.
     #[default]
     Auto,
     /// One thread, plain updates.
     Serial,
     /// Every job accumulates into a copy of its own; the copies are then combined in a fixed order.
     Private,
+    /// The field is cut into tiles, and the loop's elements are sorted by the tile that they update. Tiles that cannot meet run at the same
+    /// time, with plain updates; what lies beyond a tile's reach is kept and updated in the end. A loop whose tiles cannot be told
+    /// before it runs is `Private` instead.
+    Colored,
     /// Compare-and-swap on each component: 8 to 10 times the cost of a plain update.
     Atomic,
 }
@@ -29,6 +34,7 @@ impl fmt::Display for Scatter {
             Self::Auto => "auto",
             Self::Serial => "serial",
             Self::Private => "private",
+            Self::Colored => "colored",
             Self::Atomic => "atomic",
         })
     }
@@ -41,8 +47,13 @@ impl FromStr for Scatter {
             "auto" => Self::Auto,
             "serial" => Self::Serial,
             "private" => Self::Private,
+            "colored" => Self::Colored,
             "atomic" => Self::Atomic,
-            _ => return Err(format!("`{name}` is no schedule: it is `auto`, `serial`, `private` or `atomic`")),
+            _ => {
+                return Err(format!(
+                    "`{name}` is no schedule: it is `auto`, `serial`, `private`, `colored` or `atomic`"
+                ));
+            }
         })
     }
 }

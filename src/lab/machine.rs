@@ -24,6 +24,11 @@ pub const SCHEDULES: &[NamedSchedule] = &[
         about: "each job accumulates into blocks of its own, which are then combined",
         scatter: Scatter::Private,
     },
+    NamedSchedule {
+        name: "colored",
+        about: "elements are sorted by the tile they update; tiles that cannot meet run at once",
+        scatter: Scatter::Colored,
+    },
     NamedSchedule { name: "atomic", about: "compare-and-swap on each component", scatter: Scatter::Atomic },
 ];
 

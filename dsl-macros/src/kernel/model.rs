@@ -369,6 +369,10 @@ pub(crate) struct Loop {
     pub(crate) rank: Option<usize>,
     /// The schedule from `#[scatter(..)]`.
     pub(crate) scatter: Option<Ident>,
+    /// Where an iteration accumulates, from `#[scatter(Colored, key = ..)]`.
+    pub(crate) key: Option<Expr>,
+    /// How far from there along every axis, from `#[scatter(Colored, reach = ..)]`.
+    pub(crate) reach: Option<i32>,
     /// Whether iterations may meet in elements: `#[relaxed]`.
     pub(crate) relaxed: bool,
     /// Attributes that are Rust's.
@@ -620,6 +624,10 @@ pub(crate) enum What {
     RelaxedPlace,
     /// `#[scatter(..)]` with something else inside.
     ScatterName { found: String },
+    /// `#[scatter(name, ..)]` with something else than `key = ..` and `reach = ..` behind `Colored`.
+    ScatterOption { schedule: String },
+    /// `reach = ..` that is no literal.
+    ScatterReach,
     /// `#[scatter(..)]` on a loop that is not parallel.
     ScatterPlace,
     /// `break`, `return`, `?` or `.await` out of a parallel loop.

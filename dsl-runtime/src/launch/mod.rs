@@ -25,7 +25,7 @@ pub use sieve::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, 
 pub use space::{Space, interior, of_branch, over, range};
 pub(crate) use space::{any_in_blocks, is_in_blocks};
 
-use crate::scatter::{self, Scattered};
+use crate::scatter::{self, Key, PackedPiece, Scattered, Share, Sink, Tiled};
 use crate::schedule::{Inside, Scatter, Schedule};
 use cpu::Cpu;
 
@@ -64,37 +64,53 @@ pub struct Task<'t, S> {
     fits: bool,
     atomic: bool,
     alone: bool,
-    roots: &'t [*mut u8],
+    /// Elements that are visited beside those of the units.
+    pieces: &'t [PackedPiece],
+    shares: &'t [Share<'t>],
     owner: PhantomData<*mut ()>,
 }
 
-impl<S: Space> Task<'_, S> {
+impl<'t, S: Space> Task<'t, S> {
+    /// A task that accumulates into nothing.
+    #[inline(always)]
+    fn new(space: &'t S, units: Range<usize>, fits: bool, alone: bool) -> Self {
+        Self { space, units, fits, atomic: false, alone, pieces: &[], shares: &[], owner: PhantomData }
+    }
+
     /// Visits the task's runs in memory order. Whole runs of blocks are written out: for small bodies.
     #[inline(always)]
-    pub fn rows(&self, mut body: impl FnMut(Run<'_, S>)) {
-        self.space.visit::<true>(
-            self.units.clone(),
-            self.fits,
-            #[inline(always)]
-            |run| once(&mut body, run),
-        );
+    pub fn rows(&self, body: impl FnMut(Run<'_, S>)) {
+        self.visit::<true>(body);
     }
 
     /// Visits the task's runs in memory order, with one copy of the body: for large bodies.
     #[inline(always)]
-    pub fn runs(&self, mut body: impl FnMut(Run<'_, S>)) {
-        self.space.visit::<false>(
-            self.units.clone(),
-            self.fits,
-            #[inline(always)]
-            |run| once(&mut body, run),
-        );
+    pub fn runs(&self, body: impl FnMut(Run<'_, S>)) {
+        self.visit::<false>(body);
     }
 
-    /// Where this job accumulates for the field of a slot.
     #[inline(always)]
-    pub(crate) fn root(&self, slot: usize) -> *mut u8 {
-        self.roots[slot]
+    fn visit<const LIGHT: bool>(&self, mut body: impl FnMut(Run<'_, S>)) {
+        // One place where the body stands, as it may be large: the units come first, of which a task with pieces has none.
+        let (mut space, mut units, mut rest) = (*self.space, self.units.clone(), self.pieces);
+        loop {
+            space.visit::<LIGHT>(
+                units,
+                self.fits,
+                #[inline(always)]
+                |run| once(&mut body, run),
+            );
+            let Some((piece, others)) = rest.split_first() else { return };
+            rest = others;
+            space = self.space.part(piece.get());
+            units = 0..space.units();
+        }
+    }
+
+    /// What this job accumulates into for the field of a slot.
+    #[inline(always)]
+    pub(crate) fn share(&self, slot: usize) -> Share<'t> {
+        self.shares[slot]
     }
 
     #[inline(always)]
@@ -123,48 +139,61 @@ mod versions {
     use super::{Space, Task};
 
     #[inline(always)]
-    fn plain<S: Space, Out, F: Fn(Task<'_, S>) -> Out>(body: &F, task: Task<'_, S>) -> Out {
-        body(Task { fits: true, atomic: false, ..task })
+    fn plain<const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(body: &F, task: Task<'_, S>) -> Out {
+        let pieces = if TILED { task.pieces } else { &[] };
+        body(Task { pieces, fits: true, atomic: false, ..task })
     }
 
-    pub(super) fn baseline<S: Space, Out, F: Fn(Task<'_, S>) -> Out>(body: &F, task: Task<'_, S>) -> Out {
-        plain(body, task)
+    pub(super) fn baseline<const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
+        body: &F,
+        task: Task<'_, S>,
+    ) -> Out {
+        plain::<TILED, S, Out, F>(body, task)
     }
 
     #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
     #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
-    pub(super) fn avx2<S: Space, Out, F: Fn(Task<'_, S>) -> Out>(body: &F, task: Task<'_, S>) -> Out {
-        plain(body, task)
+    pub(super) fn avx2<const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
+        body: &F,
+        task: Task<'_, S>,
+    ) -> Out {
+        plain::<TILED, S, Out, F>(body, task)
     }
 
     #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
     #[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq,avx512vl,avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
-    pub(super) fn avx512<S: Space, Out, F: Fn(Task<'_, S>) -> Out>(body: &F, task: Task<'_, S>) -> Out {
-        plain(body, task)
+    pub(super) fn avx512<const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
+        body: &F,
+        task: Task<'_, S>,
+    ) -> Out {
+        plain::<TILED, S, Out, F>(body, task)
     }
 
-    pub(super) fn careful<S: Space, Out, F: Fn(Task<'_, S>) -> Out>(body: &F, task: Task<'_, S>) -> Out {
-        body(task)
+    pub(super) fn careful<const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
+        body: &F,
+        task: Task<'_, S>,
+    ) -> Out {
+        body(Task { pieces: if TILED { task.pieces } else { &[] }, ..task })
     }
 }
 
 #[inline]
-fn dispatch<const CAREFUL: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
+fn dispatch<const CAREFUL: bool, const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
     cpu: Cpu,
     body: &F,
     task: Task<'_, S>,
 ) -> Out {
     if cfg!(debug_assertions) || CAREFUL && (!task.fits || task.atomic) {
-        return versions::careful(body, task);
+        return versions::careful::<TILED, S, Out, F>(body, task);
     }
     match cpu {
         // SAFETY: `Cpu::chosen` and `Schedule::run` admit only instruction sets that the processor has.
         #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
-        Cpu::Avx512 => unsafe { versions::avx512(body, task) },
+        Cpu::Avx512 => unsafe { versions::avx512::<TILED, S, Out, F>(body, task) },
         // SAFETY: as above.
         #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
-        Cpu::Avx2 => unsafe { versions::avx2(body, task) },
-        _ => versions::baseline(body, task),
+        Cpu::Avx2 => unsafe { versions::avx2::<TILED, S, Out, F>(body, task) },
+        _ => versions::baseline::<TILED, S, Out, F>(body, task),
     }
 }
 
@@ -209,7 +238,18 @@ pub fn launch<S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
     options: Options<'_>,
     body: F,
 ) -> Outs<Out> {
-    start::<true, S, Out, F>(space, options, &body)
+    start::<true, false, S, Out, F>(space, options, None, &body)
+}
+
+/// Runs a loop that accumulates, and knows where before it does.
+#[doc(hidden)]
+pub fn launch_keyed<S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
+    space: &S,
+    options: Options<'_>,
+    key: Key<'_, S>,
+    body: F,
+) -> Outs<Out> {
+    start::<true, true, S, Out, F>(space, options, Some(&key), &body)
 }
 
 /// Runs a loop that touches its own elements alone.
@@ -219,12 +259,13 @@ pub fn launch_own<S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
     options: Options<'_>,
     body: F,
 ) -> Outs<Out> {
-    start::<false, S, Out, F>(space, options, &body)
+    start::<false, false, S, Out, F>(space, options, None, &body)
 }
 
-fn start<const CAREFUL: bool, S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
+fn start<const CAREFUL: bool, const TILED: bool, S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
     space: &S,
     options: Options<'_>,
+    key: Option<&Key<'_, S>>,
     body: &F,
 ) -> Outs<Out> {
     assert!(CAREFUL || (options.fits && options.targets.is_empty()), "such a loop has a careful version");
@@ -245,22 +286,50 @@ fn start<const CAREFUL: bool, S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + S
     let grain = grain(&schedule, options.heavy);
     // Blocks, and with them the order of reductions, follow from the work alone, never from the threads.
     let blocks = (elements / grain).clamp(1, MOST_BLOCKS).min(units);
-    let plan = scatter::plan(&options, &schedule, threads, elements, blocks);
     let block = |b: usize| units * b / blocks..units * (b + 1) / blocks;
-
-    let run = |b: usize, roots: &[*mut u8]| {
-        let task =
-            Task { space, units: block(b), fits: options.fits, atomic: plan.atomic, alone, roots, owner: PhantomData };
-        dispatch::<CAREFUL, S, Out, F>(cpu, body, task)
+    let part = |units| Task::new(space, units, options.fits, alone);
+    let possible = key.filter(|key| TILED && key.is_possible(space, options.targets));
+    let keys = |b: usize, sink: &mut Sink| key.into_iter().for_each(|key| (key.keys)(part(block(b)), sink));
+    let asks = (threads > 1 || schedule.deterministic) && options.scatter.unwrap_or(schedule.scatter) == Scatter::Auto;
+    let tiled = possible.map(|key| Tiled {
+        certain: key.certain,
+        scattered: asks && key.certain && key.is_scattered(space, options.targets, blocks, &keys),
+    });
+    let mut plan = scatter::plan(&options, &schedule, threads, elements, blocks, tiled);
+    if plan.colored
+        && let Some(key) = possible
+    {
+        if let Some(bins) = key.sort(space, options.targets, plan.threads, blocks, &keys) {
+            let tile = |tile: usize, shares: &[Share<'_>]| {
+                let task = Task { pieces: bins.pieces(tile), shares, ..part(0..0) };
+                dispatch::<CAREFUL, TILED, S, Out, F>(cpu, body, task)
+            };
+            return results(bins.jobs(), tile, |run| bins.execute(plan.threads, options.targets, run));
+        }
+        plan = scatter::plan(&options, &schedule, threads, elements, blocks, None);
+    }
+    let run = |b: usize, shares: &[Share<'_>]| {
+        let task = Task { atomic: plan.atomic, shares, ..part(block(b)) };
+        dispatch::<CAREFUL, TILED, S, Out, F>(cpu, body, task)
     };
+    results(blocks, run, |run| scatter::execute(&plan, options.targets, blocks, run))
+}
+
+/// The results of `run` for so many numbers, which `all` calls once with each.
+#[inline(always)]
+fn results<Out: Send>(
+    count: usize,
+    run: impl Fn(usize, &[Share<'_>]) -> Out + Sync,
+    all: impl FnOnce(&(dyn Fn(usize, &[Share<'_>]) + Sync)),
+) -> Outs<Out> {
     if size_of::<Out>() == 0 {
-        scatter::execute(&plan, options.targets, blocks, &|b, roots| {
-            run(b, roots);
+        all(&|n, shares| {
+            run(n, shares);
         });
         return Outs(Results::One(None));
     }
-    let outs = Slots::new(blocks);
-    scatter::execute(&plan, options.targets, blocks, &|b, roots| outs.put(b, run(b, roots)));
+    let outs = Slots::new(count);
+    all(&|n, shares| outs.put(n, run(n, shares)));
     outs.take()
 }
 

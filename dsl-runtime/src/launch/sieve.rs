@@ -9,6 +9,7 @@ use crate::axes::{Axes, MAX_AXES, PerAxis};
 use crate::element::Sealed;
 use crate::index::{Integer, IntoIndex};
 use crate::layout::{Digit, Geometry};
+use crate::scatter::Piece;
 
 /// Which elements of a space are visited.
 #[doc(hidden)]
@@ -264,6 +265,13 @@ impl<S: Space, F: Sieve> Space for Sifted<S, F> {
                 );
             },
         );
+    }
+
+    const DIVISIBLE: bool = S::DIVISIBLE;
+
+    #[inline(always)]
+    fn part(&self, piece: Piece) -> Self {
+        Self { space: self.space.part(piece), sieve: self.sieve }
     }
 
     #[inline(always)]

@@ -10,6 +10,7 @@ use crate::index::Integer;
 use crate::layout::node::{Chained, nth_row, order, rows};
 use crate::layout::{Chain, Digit, Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record, Whole};
+use crate::scatter::Piece;
 use crate::store::active::ActiveList;
 use crate::view::{Places, View};
 use std::sync::Arc;
@@ -45,6 +46,10 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
     fn origin(&self) -> [i32; MAX_AXES];
     /// Visits the runs of some units in memory order; `LIGHT` writes whole runs out apart from cut ones.
     fn visit<const LIGHT: bool>(&self, units: Range<usize>, fits: bool, run: impl FnMut(Run<'_, Self>));
+    /// Whether [`part`](Self::part) is available.
+    const DIVISIBLE: bool;
+    /// The elements of a piece alone. Numbers count along the run axis first, then along the other axes, the last of them first.
+    fn part(&self, piece: Piece) -> Self;
     /// The loop's variable at coordinates.
     fn index(at: [i64; MAX_AXES]) -> Self::Index;
     /// The loop's variables at coordinates.
@@ -93,6 +98,24 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
         };
         self.elements() == 0 || (0..X::RANK).all(within)
     }
+}
+
+/// Where a piece of a box begins, in elements from the box's first, when those along `axis` are counted first.
+#[inline(always)]
+fn start_of<X: Axes>(piece: Piece, axis: usize, extent: impl Fn(usize) -> usize) -> PerAxis {
+    let mut start = [0; MAX_AXES];
+    let mut rest = piece.first as usize;
+    if X::RANK > 1 {
+        start[axis] = rest % extent(axis);
+        rest /= extent(axis);
+        for a in (0..X::RANK).rev().filter(|&a| a != axis) {
+            start[a] = rest % extent(a);
+            rest /= extent(a);
+        }
+    } else {
+        start[axis] = rest;
+    }
+    start
 }
 
 /// What runs have for a block that is found by its place alone.
@@ -224,11 +247,18 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             let end = size.saturating_sub(border).max(first);
             this.all_inside &= active.is_inside(axis, extent, first, end);
             let (first, end) = active.clipped(axis, extent, first, end);
-            (this.first[axis], this.end[axis]) = (first, end);
-            this.first_block[axis] = (first / extent) as usize;
-            this.blocks[axis] = if end > first { end.div_ceil(extent) as usize - this.first_block[axis] } else { 0 };
+            this.narrow(axis, first, end);
         }
         this
+    }
+
+    /// Makes the box `first..end` along an axis.
+    #[inline(always)]
+    fn narrow(&mut self, axis: usize, first: u32, end: u32) {
+        let extent = const { &<Self as Space>::EXTENT }[axis] as u32;
+        (self.first[axis], self.end[axis]) = (first, end);
+        self.first_block[axis] = (first / extent) as usize;
+        self.blocks[axis] = if end > first { end.div_ceil(extent) as usize - self.first_block[axis] } else { 0 };
     }
 
     /// The active elements (sparse branches).
@@ -470,6 +500,20 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Space for Cells<R, L, X, P> {
                 block[axis] = 0;
             }
         }
+    }
+
+    const DIVISIBLE: bool = !Self::SPARSE;
+
+    #[inline(always)]
+    fn part(&self, piece: Piece) -> Self {
+        let axis = const { <Self as Space>::AXIS };
+        let start = start_of::<X>(piece, axis, |a| (self.end[a] - self.first[a]) as usize);
+        let mut part = *self;
+        for (a, &start) in start.iter().enumerate().take(X::RANK) {
+            let first = self.first[a] + start as u32;
+            part.narrow(a, first, first + if a == axis { piece.len } else { 1 });
+        }
+        part
     }
 
     #[inline(always)]
@@ -719,6 +763,20 @@ impl<T: Integers<X = X>, X: Axes> Space for Ranges<T, X> {
                 place[axis] = 0;
             }
         }
+    }
+
+    const DIVISIBLE: bool = true;
+
+    #[inline(always)]
+    fn part(&self, piece: Piece) -> Self {
+        let axis = const { <Self as Space>::AXIS };
+        let start = start_of::<X>(piece, axis, |a| (self.end[a] - self.first[a]) as usize);
+        let mut part = *self;
+        for (a, &start) in start.iter().enumerate().take(X::RANK) {
+            part.first[a] += start as i64;
+            part.end[a] = part.first[a] + if a == axis { i64::from(piece.len) } else { 1 };
+        }
+        part
     }
 
     #[inline(always)]

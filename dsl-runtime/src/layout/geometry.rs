@@ -9,7 +9,8 @@ use crate::field::ShapeError;
 /// Coordinates are of two kinds. Logical ones are what the user writes; they begin at the origin. Places begin at zero: addresses
 /// are computed from them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Geometry {
+#[doc(hidden)]
+pub struct Geometry {
     /// Elements along each axis; 1 beyond the rank.
     pub(crate) shape: [u32; MAX_AXES],
     /// The first index along each axis, 0 beyond the rank. It and the one after the last index are `i32`s.

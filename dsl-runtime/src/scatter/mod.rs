@@ -1,10 +1,20 @@
 //! Scatter strategies: how the jobs of an accumulating loop share a field. A file a strategy.
 
+mod bins;
+mod colored;
 mod combine;
+mod late;
 mod private;
+mod share;
 mod target;
+mod tiles;
 
+pub use bins::{Coordinates, Sink};
+pub(crate) use bins::{PackedPiece, Piece};
+pub use colored::{Key, key};
 pub use combine::Op;
+pub(crate) use late::Late;
+pub(crate) use share::{Share, Window};
 pub use target::{Scattered, Target};
 
 use crate::launch::{Options, run_jobs};
@@ -19,22 +29,43 @@ const MOST_PRIVATE: usize = 1 << 30;
 /// From so many threads on, compare-and-swap is worth its cost of 8 to 10 plain updates.
 const MANY_THREADS: usize = 10;
 
+/// Bytes that caches hold.
+const CACHED: usize = 4 << 20;
+
 /// What was decided for a launch.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Plan {
-    threads: usize,
+    pub(crate) threads: usize,
     /// How many jobs have private copies; 1 if none.
     jobs: usize,
     /// Whether updates are compare-and-swap.
     pub(crate) atomic: bool,
+    /// Whether the loop goes by tiles in colours, if it can be sorted so.
+    pub(crate) colored: bool,
+}
+
+/// A loop that can be sorted by where it accumulates.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tiled {
+    /// Whether all of its updates are known to lie around there.
+    pub(crate) certain: bool,
+    /// Whether neighbouring elements accumulate far from each other.
+    pub(crate) scattered: bool,
 }
 
 /// Decides how a launch runs.
 ///
 /// # Panics
 /// Where `Atomic` is asked for under `deterministic`.
-pub(crate) fn plan(options: &Options<'_>, schedule: &Schedule, threads: usize, elements: usize, blocks: usize) -> Plan {
-    let serial = Plan { threads: 1, jobs: 1, atomic: false };
+pub(crate) fn plan(
+    options: &Options<'_>,
+    schedule: &Schedule,
+    threads: usize,
+    elements: usize,
+    blocks: usize,
+    tiles: Option<Tiled>,
+) -> Plan {
+    let serial = Plan { threads: 1, jobs: 1, atomic: false, colored: false };
     if options.targets.is_empty() {
         return Plan { threads: threads.min(blocks), ..serial };
     }
@@ -46,19 +77,29 @@ pub(crate) fn plan(options: &Options<'_>, schedule: &Schedule, threads: usize, e
     );
     let jobs = if schedule.deterministic { FIXED_JOBS } else { threads }.min(blocks);
     let copies = |jobs: usize| (jobs - 1).saturating_mul(options.targets.iter().map(|t| t.bytes()).sum());
-    let private = Plan { threads, jobs, atomic: false };
+    let private = Plan { threads, jobs, atomic: false, colored: false };
     // A component that lies at no multiple of its size cannot be updated atomically.
     let aligned = options.targets.iter().all(|t| t.aligned());
-    let atomic = if aligned { Plan { threads: threads.min(blocks), jobs: 1, atomic: threads > 1 } } else { serial };
+    let atomic = if aligned {
+        Plan { threads: threads.min(blocks), jobs: 1, atomic: threads > 1, colored: false }
+    } else {
+        serial
+    };
+    let colored = Plan { threads, jobs: 1, atomic: false, colored: true };
     match asked {
         Scatter::Serial => serial,
+        Scatter::Colored if tiles.is_some() => colored,
+        Scatter::Colored => private,
         Scatter::Private => private,
         Scatter::Atomic => atomic,
         Scatter::Auto => {
+            let alone = threads == 1 && !schedule.deterministic;
+            if !alone && tiles.is_some_and(|tiled| suits_tiles(options.targets, tiled, elements, jobs)) {
+                return colored;
+            }
             // Copying and combining costs a few operations a cell, an element of the loop some tens.
             let cells: usize = options.targets.iter().map(|t| t.cells()).sum();
             let worth = elements.saturating_mul(16) > cells.saturating_mul(jobs - 1);
-            let alone = threads == 1 && !schedule.deterministic;
             if alone || jobs == 1 || !worth {
                 serial
             } else if copies(jobs) <= MOST_PRIVATE || schedule.deterministic {
@@ -72,53 +113,60 @@ pub(crate) fn plan(options: &Options<'_>, schedule: &Schedule, threads: usize, e
     }
 }
 
-/// Runs all blocks as planned. `block` is called once with each number and the roots that its job accumulates in.
+/// Whether tiles cost less than so many copies, as far as it is known before they are sorted.
+///
+/// To find and sort keys costs about twice as much an element as to combine a copy does a cell, when neighbouring elements go together. When
+/// they do not, elements are fetched one by one, which is less than to fetch the cells so only where these lie in no cache.
+fn suits_tiles(targets: &[&dyn Scattered], tiled: Tiled, elements: usize, jobs: usize) -> bool {
+    let sum = |of: fn(&&dyn Scattered) -> usize| targets.iter().map(of).fold(0, usize::saturating_add);
+    let cells = sum(|t| t.cells()).saturating_mul(jobs - 1);
+    tiled.certain
+        && match tiled.scattered {
+            true => sum(|t| t.bytes()) > CACHED,
+            false => elements.saturating_mul(2) < cells || targets.iter().any(|t| t.is_sparse()),
+        }
+}
+
+/// Runs all blocks as planned. `block` is called once with each number and what its job accumulates into.
 pub(crate) fn execute(
     plan: &Plan,
     targets: &[&dyn Scattered],
     blocks: usize,
-    block: &(dyn Fn(usize, &[*mut u8]) + Sync),
+    block: &(dyn Fn(usize, &[Share<'_>]) + Sync),
 ) {
     if plan.jobs > 1 {
         private::execute(plan.threads, plan.jobs, targets, blocks, block);
         return;
     }
-    let roots = Roots::fields(targets);
-    run_jobs(plan.threads, blocks, &|b| block(b, roots.get()));
+    run_jobs(plan.threads, blocks, &|b| block(b, Shares::of_fields(targets).get()));
 }
 
 /// The most fields that one loop accumulates into.
 const MOST_TARGETS: usize = 16;
 
-/// Where a job accumulates, by slot.
-#[derive(Clone, Copy)]
-struct Roots {
-    roots: [*mut u8; MOST_TARGETS],
+/// What a job accumulates into, by slot.
+struct Shares<'t> {
+    shares: [Share<'t>; MOST_TARGETS],
     count: usize,
 }
 
-// SAFETY: addresses alone; what may be done with them is settled by the strategy that hands them out.
-unsafe impl Send for Roots {}
-// SAFETY: as above.
-unsafe impl Sync for Roots {}
-
-impl Roots {
-    /// The fields themselves.
-    fn fields(targets: &[&dyn Scattered]) -> Self {
-        Self::from(targets.iter().map(|t| t.root()))
-    }
-
-    fn from(list: impl Iterator<Item = *mut u8>) -> Self {
-        let mut this = Self { roots: [core::ptr::null_mut(); MOST_TARGETS], count: 0 };
-        for root in list {
+impl<'t> Shares<'t> {
+    fn new(list: impl Iterator<Item = Share<'t>>) -> Self {
+        let mut this = Self { shares: [Share::NOTHING; MOST_TARGETS], count: 0 };
+        for share in list {
             assert!(this.count < MOST_TARGETS, "one loop accumulates into at most {MOST_TARGETS} fields");
-            this.roots[this.count] = root;
+            this.shares[this.count] = share;
             this.count += 1;
         }
         this
     }
 
-    fn get(&self) -> &[*mut u8] {
-        &self.roots[..self.count]
+    /// The fields themselves, all of each.
+    fn of_fields(targets: &[&dyn Scattered]) -> Self {
+        Self::new(targets.iter().map(|target| Share::whole(*target, target.root())))
+    }
+
+    fn get(&self) -> &[Share<'t>] {
+        &self.shares[..self.count]
     }
 }

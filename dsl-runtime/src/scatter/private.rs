@@ -1,6 +1,7 @@
 //! `Private`: every job but the first accumulates into a copy of its own; the copies are combined in the order of jobs.
 
-use super::{Roots, Scattered};
+use super::share::Share;
+use super::{Scattered, Shares};
 use crate::field::Storage;
 use crate::launch::run_jobs;
 
@@ -11,19 +12,20 @@ pub(super) fn execute(
     jobs: usize,
     targets: &[&dyn Scattered],
     blocks: usize,
-    block: &(dyn Fn(usize, &[*mut u8]) + Sync),
+    block: &(dyn Fn(usize, &[Share<'_>]) + Sync),
 ) {
     // Copies of a launch that panics are dropped with it: they hold half of a sum.
     let copies: Vec<Vec<Storage>> = targets.iter().map(|t| (1..jobs).map(|_| t.borrow_copy()).collect()).collect();
-    let roots: Vec<Roots> = (0..jobs)
-        .map(|job| match job {
-            0 => Roots::fields(targets),
-            _ => Roots::from(copies.iter().map(|copies| copies[job - 1].start())),
-        })
-        .collect();
     run_jobs(threads, jobs, &|job| {
+        let shares = match job {
+            0 => Shares::of_fields(targets),
+            _ => {
+                let own = targets.iter().zip(&copies);
+                Shares::new(own.map(|(target, copies)| Share::whole(*target, copies[job - 1].start())))
+            }
+        };
         for b in blocks * job / jobs..blocks * (job + 1) / jobs {
-            block(b, roots[job].get());
+            block(b, shares.get());
         }
     });
     for (target, copies) in targets.iter().zip(copies) {

@@ -4,11 +4,11 @@ use core::sync::atomic::Ordering;
 use std::sync::PoisonError;
 
 use super::combine::{Line, Op, combine_line, set_line};
-use crate::axes::Axes;
+use crate::axes::{Axes, MAX_AXES};
 use crate::field::Handle;
 use crate::field::Storage;
 use crate::launch::run_jobs;
-use crate::layout::{Layout, Map};
+use crate::layout::{Geometry, Layout, Map};
 use crate::record::{ElementList, Record};
 use crate::store::Store;
 use crate::view::View;
@@ -18,6 +18,14 @@ use crate::view::View;
 pub trait Scattered: Sync {
     /// Its own memory.
     fn root(&self) -> *mut u8;
+    /// Its geometry.
+    fn geometry(&self) -> &Geometry;
+    /// How many axes it has.
+    fn rank(&self) -> usize;
+    /// Cells of a block of the first accumulated member's branch along each axis.
+    fn block(&self) -> [u32; MAX_AXES];
+    /// Whether a member that is accumulated stands in a sparse branch: a copy's blocks are made anew in each launch.
+    fn is_sparse(&self) -> bool;
     /// The bytes of a copy.
     fn bytes(&self) -> usize;
     /// Its elements.
@@ -193,6 +201,23 @@ impl<R: Record, L: Layout<X>, X: Axes> Target<'_, '_, R, L, X> {
 impl<R: Record, L: Layout<X>, X: Axes> Scattered for Target<'_, '_, R, L, X> {
     fn root(&self) -> *mut u8 {
         self.handle.root
+    }
+
+    fn geometry(&self) -> &Geometry {
+        &self.handle.geometry
+    }
+
+    fn rank(&self) -> usize {
+        X::RANK
+    }
+
+    fn is_sparse(&self) -> bool {
+        self.sparse_branches().next().is_some()
+    }
+
+    fn block(&self) -> [u32; MAX_AXES] {
+        let chain = self.members.first().map(|&(m, _)| Map::<R, L, X>::chain(m));
+        core::array::from_fn(|a| chain.map_or(1, |chain| chain.extent[a] as u32).max(1))
     }
 
     fn bytes(&self) -> usize {

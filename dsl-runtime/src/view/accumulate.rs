@@ -1,19 +1,21 @@
 //! `Accumulate`: a path that the loop only accumulates into, at any index.
 
+use core::cell::RefCell;
 use core::marker::PhantomData;
 use core::mem::size_of;
 
-use super::lane::{Lane, Near, Spot};
+use super::lane::{Lane, Spot};
 use super::{Based, Site};
 use crate::axes::{Axes, MAX_AXES};
 use crate::element::{Element, component};
 use crate::field::Handle;
 use crate::index::IntoIndex;
-use crate::layout::Layout;
+use crate::layout::{Geometry, Layout};
 use crate::number::{
     BitAnd, BitOr, BitXor, Bits, ComponentMul, Kept, Max, Min, Number, Operator, Product, Sum, Updated,
 };
 use crate::record::{Path, Record};
+use crate::scatter::{Late, Share, Window};
 
 /// Accumulates into a path of a field at any index. No update is lost: the memory is this job's own, or every component
 /// is updated atomically.
@@ -22,9 +24,21 @@ use crate::record::{Path, Record};
 pub struct Accumulate<'a, R, L, X, P> {
     lane: Lane<'a, R, L, X, P>,
     atomic: bool,
+    /// The elements that this job updates, and what takes the updates of others.
+    window: Window,
+    late: Option<&'a RefCell<Late>>,
+    slot: usize,
     /// Neither `Send` nor `Sync`: a job's private copy is its alone.
     owner: PhantomData<*mut ()>,
 }
+
+impl<R, L, X, P> Clone for Accumulate<'_, R, L, X, P> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<R, L, X, P> Copy for Accumulate<'_, R, L, X, P> {}
 
 macro_rules! operations {
     ($($name:ident $name_at:ident $operator:ident, $bound:ident, $doc:literal;)*) => {$(
@@ -38,7 +52,7 @@ macro_rules! operations {
         where
             <P::Value as Element>::Scalar: $bound,
         {
-            self.apply::<$operator>(self.locate(index), value);
+            self.apply_by::<$operator, _>(index, value);
         }
 
         #[doc = $doc]
@@ -52,7 +66,7 @@ macro_rules! operations {
         where
             <P::Value as Element>::Scalar: $bound,
         {
-            self.apply::<$operator>(self.locate_at(base, offset), value);
+            self.apply_at::<$operator>(base, offset, value);
         }
     )*};
 }
@@ -61,23 +75,96 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Accumulate<'a, R, L, X, P
 where
     P::Value: Element,
 {
+    /// What a job accumulates into as the launch's schedule says.
     #[inline(always)]
-    pub(crate) fn new(handle: Handle<'a, R, L, X>, site: &'static Site, atomic: bool) -> Self {
+    pub(super) fn new(
+        handle: Handle<'a, R, L, X>,
+        site: &'static Site,
+        atomic: bool,
+        share: Share<'a>,
+        slot: usize,
+    ) -> Self {
         const { assert!(P::MEMBER.is_some(), "an element is one member") }
-        Self { lane: Lane::new(handle, site), atomic, owner: PhantomData }
+        let Share { root, window, late } = share;
+        Self { lane: Lane::new(handle.at(root), site), atomic, window, late, slot, owner: PhantomData }
+    }
+
+    /// All of a field.
+    #[inline(always)]
+    pub(super) fn whole(handle: Handle<'a, R, L, X>, site: &'static Site, atomic: bool) -> Self {
+        let (root, window) = (handle.root, Window::whole(&handle.geometry));
+        Self::new(handle, site, atomic, Share { root, window, late: None }, 0)
     }
 
     #[inline(always)]
     #[track_caller]
-    fn locate(&self, index: impl IntoIndex<X>) -> [u32; MAX_AXES] {
-        self.lane.locate(index)
+    fn apply_by<O: Operator<<P::Value as Element>::Scalar>, T: IntoIndex<X>>(&self, index: T, value: P::Value)
+    where
+        <P::Value as Element>::Scalar: Updated,
+    {
+        let (at, geometry) = (index.coordinates(), &self.lane.handle().geometry);
+        if !T::CHECKED && self.late.is_none() {
+            return self.apply::<O>(geometry.place(at), value);
+        }
+        match self.window.within::<X>(at, geometry) {
+            Some(place) => self.apply::<O>(place, value),
+            None => {
+                // A copy: what a call could reach would have to stay in memory, with all that it is a part of.
+                let this = *self;
+                this.elsewhere::<O>(at, value);
+            }
+        }
     }
 
     #[inline(always)]
     #[track_caller]
-    fn locate_at<'b>(&self, base: &'b Based<'b, L, X>, offset: impl IntoIndex<X>) -> Near<'b, L, X> {
+    fn apply_at<O: Operator<<P::Value as Element>::Scalar>>(
+        &self,
+        base: &Based<'_, L, X>,
+        offset: impl IntoIndex<X>,
+        value: P::Value,
+    ) where
+        <P::Value as Element>::Scalar: Updated,
+    {
+        let offset = offset.coordinates();
         // A base for accumulation is made from where this job accumulates, as this view is.
-        self.lane.near_own(base, offset)
+        self.apply::<O>(self.lane.near_own(base, offset), value);
+    }
+
+    /// Updates an element that may not lie in the window.
+    #[cold]
+    #[inline(never)]
+    #[track_caller]
+    fn elsewhere<O: Operator<<P::Value as Element>::Scalar>>(&self, at: [i64; MAX_AXES], value: P::Value)
+    where
+        <P::Value as Element>::Scalar: Updated,
+    {
+        let place = self.lane.place_of(at);
+        let Some(late) = self.late.filter(|_| self.window.within::<X>(at, &self.lane.handle().geometry).is_none())
+        else {
+            return self.apply::<O>(place, value);
+        };
+        // SAFETY: the function reads a value of this path, and is for the field of this slot.
+        unsafe { late.borrow_mut().push(Self::apply_late::<O>, self.slot, place, value) };
+    }
+
+    /// Updates an element when no job runs any more.
+    ///
+    /// # Safety
+    /// A field of these types lies at the root, its shape contains the place, nothing else reaches it, and `value` points to one of this path.
+    unsafe fn apply_late<O: Operator<<P::Value as Element>::Scalar>>(
+        root: *mut u8,
+        geometry: &Geometry,
+        place: [u32; MAX_AXES],
+        value: *const u8,
+    ) where
+        <P::Value as Element>::Scalar: Updated,
+    {
+        static NOWHERE: Site = Site { kernel: "", field: "" };
+        let handle = Handle::<R, L, X>::new(root, *geometry, None, true);
+        // SAFETY: as the caller promises.
+        let value = unsafe { value.cast::<P::Value>().read_unaligned() };
+        Accumulate::<R, L, X, P>::whole(handle, &NOWHERE, false).apply::<O>(place, value);
     }
 
     #[inline(always)]
@@ -87,11 +174,11 @@ where
     {
         let (start, step) = self.lane.address_mut(at);
         if self.atomic {
-            self.apply_atomically::<O>(start, step, value);
+            Self::apply_atomically::<O>(start, step, value);
             return;
         }
-        // SAFETY: `at` lies within the shape, in the field itself on one thread or in this job's private copy; nothing
-        // else touches the path during the launch.
+        // SAFETY: `at` lies within the shape, in the field itself on one thread, in this job's private copy, or in the window that this job
+        // has to itself; nothing else touches the path there meanwhile.
         unsafe {
             let old = P::Value::gather(start, step);
             crate::number::zip::<O, P::Value>(old, value).scatter(start, step);
@@ -100,7 +187,7 @@ where
 
     #[cold]
     #[inline(never)]
-    fn apply_atomically<O: Operator<<P::Value as Element>::Scalar>>(&self, start: *mut u8, step: usize, value: P::Value)
+    fn apply_atomically<O: Operator<<P::Value as Element>::Scalar>>(start: *mut u8, step: usize, value: P::Value)
     where
         <P::Value as Element>::Scalar: Updated,
     {
@@ -120,6 +207,12 @@ where
         }
     }
 
+    /// The same view, whose updates are calls.
+    #[inline(always)]
+    pub fn far(&self) -> Far<'a, R, L, X, P> {
+        Far(*self)
+    }
+
     /// What changes nothing: an accumulation into a component fills the others with it.
     #[inline(always)]
     pub fn identity<O: Operator<<P::Value as Element>::Scalar>>(&self, _: O) -> P::Value {
@@ -136,7 +229,7 @@ where
     where
         <P::Value as Element>::Scalar: Updated,
     {
-        self.apply::<Kept<O>>(self.locate(index), value);
+        self.apply_by::<Kept<O>, _>(index, value);
     }
 
     /// The same at `base + offset`.
@@ -154,7 +247,7 @@ where
     ) where
         <P::Value as Element>::Scalar: Updated,
     {
-        self.apply::<Kept<O>>(self.locate_at(base, offset), value);
+        self.apply_at::<Kept<O>>(base, offset, value);
     }
 
     operations! {
@@ -176,7 +269,7 @@ where
     where
         <P::Value as Element>::Scalar: Number,
     {
-        self.apply::<Sum>(self.locate(index), negative(value));
+        self.apply_by::<Sum, _>(index, negative(value));
     }
 
     /// `-=` at `base + offset`.
@@ -189,7 +282,7 @@ where
     where
         <P::Value as Element>::Scalar: Number,
     {
-        self.apply::<Sum>(self.locate_at(base, offset), negative(value));
+        self.apply_at::<Sum>(base, offset, negative(value));
     }
 
     /// `*=`, component by component.
@@ -203,7 +296,7 @@ where
         P::Value: ComponentMul<Rhs>,
         <P::Value as Element>::Scalar: Number,
     {
-        self.apply::<Product>(self.locate(index), P::Value::factor(by));
+        self.apply_by::<Product, _>(index, P::Value::factor(by));
     }
 
     /// `*=` at `base + offset`, component by component.
@@ -217,7 +310,85 @@ where
         P::Value: ComponentMul<Rhs>,
         <P::Value as Element>::Scalar: Number,
     {
-        self.apply::<Product>(self.locate_at(base, offset), P::Value::factor(by));
+        self.apply_at::<Product>(base, offset, P::Value::factor(by));
+    }
+}
+
+/// The same where it is not worth the code to do it in place: around bases that do not lie within what a job may reach.
+///
+/// It is a copy, as what calls could reach would have to stay in memory.
+#[doc(hidden)]
+#[derive(Debug)]
+pub struct Far<'a, R, L, X, P>(Accumulate<'a, R, L, X, P>);
+
+macro_rules! far_operations {
+    ($($name:ident $operator:ident, $bound:ident, $doc:literal;)*) => {$(
+        #[doc = $doc]
+        ///
+        /// # Panics
+        /// Where the index lies outside of the shape.
+        #[inline(always)]
+        #[track_caller]
+        pub fn $name(&self, index: impl IntoIndex<X>, value: P::Value)
+        where
+            <P::Value as Element>::Scalar: $bound,
+        {
+            self.0.elsewhere::<$operator>(index.coordinates(), value);
+        }
+    )*};
+}
+
+impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Far<'_, R, L, X, P>
+where
+    P::Value: Element,
+{
+    far_operations! {
+        add Sum, Number, "`+=`.";
+        min Min, Number, "`min_assign`.";
+        max Max, Number, "`max_assign`.";
+        or BitOr, Bits, "`|=`.";
+        and BitAnd, Bits, "`&=`.";
+        xor BitXor, Bits, "`^=`.";
+    }
+
+    /// `-=`.
+    ///
+    /// # Panics
+    /// Where the index lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub fn sub(&self, index: impl IntoIndex<X>, value: P::Value)
+    where
+        <P::Value as Element>::Scalar: Number,
+    {
+        self.0.elsewhere::<Sum>(index.coordinates(), negative(value));
+    }
+
+    /// `*=`, component by component.
+    ///
+    /// # Panics
+    /// Where the index lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub fn mul<Rhs>(&self, index: impl IntoIndex<X>, by: Rhs)
+    where
+        P::Value: ComponentMul<Rhs>,
+        <P::Value as Element>::Scalar: Number,
+    {
+        self.0.elsewhere::<Product>(index.coordinates(), P::Value::factor(by));
+    }
+
+    /// Accumulates into those components of an element that are not the identity.
+    ///
+    /// # Panics
+    /// Where the index lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub fn part<O: Operator<<P::Value as Element>::Scalar>>(&self, _: O, index: impl IntoIndex<X>, value: P::Value)
+    where
+        <P::Value as Element>::Scalar: Updated,
+    {
+        self.0.elsewhere::<Kept<O>>(index.coordinates(), value);
     }
 }
 

@@ -9,6 +9,7 @@ use crate::field::Handle;
 use crate::index::inside;
 use crate::layout::{Block, Geometry, Layout};
 use crate::record::Record;
+use crate::scatter::Window;
 
 /// A base whose whole box of offsets lies within a field's indices.
 #[doc(hidden)]
@@ -90,6 +91,7 @@ impl<'b, L: Layout<X>, X: Axes> Based<'b, L, X> {
     #[inline(always)]
     pub(super) fn new<const N: usize>(
         geometry: &Geometry,
+        window: &Window,
         corners: &'b L::Corners,
         base: [i64; MAX_AXES],
         low: [i64; N],
@@ -101,13 +103,14 @@ impl<'b, L: Layout<X>, X: Axes> Based<'b, L, X> {
             all[..N].copy_from_slice(&offsets);
             all
         };
-        Self::around(geometry, corners, base, wide(low), wide(high))
+        Self::around(geometry, window, corners, base, wide(low), wide(high))
     }
 
     /// The same with offsets for all axes that there could be.
     #[inline(always)]
     pub(super) fn around(
         geometry: &Geometry,
+        window: &Window,
         corners: &'b L::Corners,
         base: [i64; MAX_AXES],
         low: [i64; MAX_AXES],
@@ -119,8 +122,8 @@ impl<'b, L: Layout<X>, X: Axes> Based<'b, L, X> {
             |a| {
                 // `base` came from integers of at most 64 bits: extremes must not wrap around.
                 let (first, last) = (base[a].saturating_add(low[a]), base[a].saturating_add(high[a]));
-                let start = i64::from(origin[a]);
-                (first >= start) & (last < start + i64::from(shape[a]))
+                let (start, end) = window.span(geometry, a);
+                (first >= start) & (last < end)
             },
         );
         let narrow = |offsets: [i64; MAX_AXES]| {
@@ -166,8 +169,9 @@ impl<'b, L: Layout<X>, X: Axes> Based<'b, L, X> {
         self
     }
 
+    /// Whether an offset lies in the box.
     #[inline(always)]
-    fn holds(&self, offset: [i64; MAX_AXES]) -> bool {
+    pub(super) fn holds(&self, offset: [i64; MAX_AXES]) -> bool {
         all::<X>(
             #[inline(always)]
             |a| (offset[a] >= i64::from(self.low[a])) & (offset[a] <= i64::from(self.high[a])),

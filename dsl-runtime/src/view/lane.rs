@@ -132,10 +132,17 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
     #[track_caller]
     pub(super) fn locate<T: IntoIndex<X>>(&self, index: T) -> [u32; MAX_AXES] {
         let at = index.coordinates();
+        if T::CHECKED { self.place_of(at) } else { self.handle.geometry.place(at) }
+    }
+
+    /// The place of logical coordinates that lie within the shape.
+    ///
+    /// # Panics
+    /// Where they do not.
+    #[inline(always)]
+    #[track_caller]
+    pub(super) fn place_of(&self, at: [i64; MAX_AXES]) -> [u32; MAX_AXES] {
         let geometry = &self.handle.geometry;
-        if !T::CHECKED {
-            return geometry.place(at);
-        }
         let Some(place) = crate::index::within::<X>(at, geometry) else { self.site.out_of_range::<X>(at, geometry) };
         place
     }
@@ -154,9 +161,10 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
     /// The same for a view with the base's own root, which need not be asked: the compiler would have to keep what is done otherwise.
     #[inline(always)]
     #[track_caller]
-    pub(super) fn near_own<'b>(&self, base: &'b Based<'b, L, X>, offset: impl IntoIndex<X>) -> Near<'b, L, X> {
+    pub(super) fn near_own<'b>(&self, base: &'b Based<'b, L, X>, offset: [i64; MAX_AXES]) -> Near<'b, L, X> {
         debug_assert!(base.is_of(self.handle.root), "a base of where this job accumulates");
-        Near { own: true, ..self.near(base, offset) }
+        assert!(base.holds(offset), "an offset in the box of its base");
+        Near { base, own: true, offset, place: base.plus(offset, self.site) }
     }
 
     /// The place that a boundary rule gives for an index.

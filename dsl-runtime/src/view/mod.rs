@@ -13,8 +13,8 @@ mod topology;
 
 use core::fmt;
 
-pub use accumulate::Accumulate;
 pub use accumulate::negative;
+pub use accumulate::{Accumulate, Far};
 pub use base::{Based, Corners, EightCorners};
 pub use beside::Beside;
 pub(crate) use free::Places;
@@ -33,6 +33,7 @@ use crate::field::{Handle, Source, SourceMut, Spans};
 use crate::launch::{Border, Run, Space, Task, TwoColours};
 use crate::layout::{Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record};
+use crate::scatter::{Coordinates, Window};
 use crate::store::paths::Paths;
 
 /// What a panic in a kernel names.
@@ -212,10 +213,13 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
         low: i64,
         high: i64,
     ) -> Option<Based<'b, L, X>> {
-        Based::around(&self.handle.geometry, corners, base.coordinates(), [low; MAX_AXES], [high; MAX_AXES]).map(
-            #[inline(always)]
-            |based| based.cornered(&self.handle),
-        )
+        self.all().based_all(corners, base, low, high)
+    }
+
+    /// The field as one that a job may reach all of.
+    #[inline(always)]
+    fn all(self) -> Reached<'a, R, L, X> {
+        Reached { window: Window::whole(&self.handle.geometry), handle: self.handle }
     }
 
     /// Where the blocks around bases are kept.
@@ -254,10 +258,13 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
         low: [i64; N],
         high: [i64; N],
     ) -> Option<Based<'b, L, X>> {
-        Based::new(&self.handle.geometry, corners, base.coordinates(), low, high).map(
-            #[inline(always)]
-            |based| based.cornered(&self.handle),
-        )
+        self.all().based(corners, base, low, high)
+    }
+
+    /// Where a loop accumulates.
+    #[inline(always)]
+    pub fn key(&self, index: impl crate::index::IntoIndex<X>) -> Coordinates<X> {
+        Coordinates(index.coordinates(), core::marker::PhantomData)
     }
 }
 
@@ -320,17 +327,27 @@ impl<'a, R: Record, L: Layout<X>, X: Axes> View<'a, R, L, X, true> {
 
     /// The field as this job accumulates into it.
     #[inline(always)]
-    pub fn of_target<S: Space>(self, task: &Task<'_, S>, slot: usize) -> Self {
-        View { handle: self.handle.at(task.root(slot)), site: self.site }
+    pub fn of_target<'b, S: Space>(self, task: &Task<'b, S>, slot: usize) -> Reached<'b, R, L, X>
+    where
+        'a: 'b,
+    {
+        let share = task.share(slot);
+        Reached { handle: self.handle.at(share.root), window: share.window }
     }
 
     /// A view that accumulates into a path at any index, as the launch's schedule says.
     #[inline(always)]
-    pub fn accumulate<S: Space, P: Path<R>>(self, task: &Task<'_, S>, slot: usize, _: P) -> Accumulate<'a, R, L, X, P>
+    pub fn accumulate<'b, S: Space, P: Path<R>>(
+        self,
+        task: &Task<'b, S>,
+        slot: usize,
+        _: P,
+    ) -> Accumulate<'b, R, L, X, P>
     where
+        'a: 'b,
         P::Value: Element,
     {
-        Accumulate::new(self.handle.at(task.root(slot)), self.site, task.atomic())
+        Accumulate::new(self.handle, self.site, task.atomic(), task.share(slot), slot)
     }
 
     /// A view that reads and changes a path at any index where iterations may meet, component by component atomically.
@@ -345,12 +362,71 @@ impl<'a, R: Record, L: Layout<X>, X: Axes> View<'a, R, L, X, true> {
     where
         P::Value: Element,
     {
-        Accumulate::new(self.handle, self.site, !task.alone())
+        Accumulate::whole(self.handle, self.site, !task.alone())
     }
 
     /// Whether every component that a path names lies at a multiple of its size, where it can be reached atomically.
     pub fn is_aligned<P: Path<R>>(&self, _: P) -> bool {
         let mut members = 0..R::Elements::MEMBERS.len();
         P::MEMBER.map_or_else(|| members.all(Map::<R, L, X>::aligned), Map::<R, L, X>::aligned)
+    }
+}
+
+/// A field, and which of its elements a job may reach.
+#[doc(hidden)]
+pub struct Reached<'a, R, L, X> {
+    handle: Handle<'a, R, L, X>,
+    window: Window,
+}
+
+impl<R, L, X> Clone for Reached<'_, R, L, X> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<R, L, X> Copy for Reached<'_, R, L, X> {}
+impl<R, L, X> fmt::Debug for Reached<'_, R, L, X> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Reached({:?})", self.window)
+    }
+}
+
+impl<R: Record, L: Layout<X>, X: Axes> Reached<'_, R, L, X> {
+    /// Where the blocks around bases are kept.
+    #[inline(always)]
+    pub fn corners(&self) -> L::Corners {
+        L::Corners::default()
+    }
+
+    /// The field around `base`, if the job may reach all of `base + low` to `base + high`.
+    #[inline(always)]
+    pub fn based<'b, const N: usize>(
+        self,
+        corners: &'b L::Corners,
+        base: impl crate::index::IntoIndex<X>,
+        low: [i64; N],
+        high: [i64; N],
+    ) -> Option<Based<'b, L, X>> {
+        Based::new(&self.handle.geometry, &self.window, corners, base.coordinates(), low, high).map(
+            #[inline(always)]
+            |based| based.cornered(&self.handle),
+        )
+    }
+
+    /// The same with the same offsets along all axes.
+    #[inline(always)]
+    pub fn based_all<'b>(
+        self,
+        corners: &'b L::Corners,
+        base: impl crate::index::IntoIndex<X>,
+        low: i64,
+        high: i64,
+    ) -> Option<Based<'b, L, X>> {
+        let (low, high) = ([low; MAX_AXES], [high; MAX_AXES]);
+        Based::around(&self.handle.geometry, &self.window, corners, base.coordinates(), low, high).map(
+            #[inline(always)]
+            |based| based.cornered(&self.handle),
+        )
     }
 }

@@ -6,7 +6,7 @@ use crate::Node;
 
 /// Runs under schedules of one and several threads.
 fn every_schedule(run: impl Fn()) {
-    for scatter in [Scatter::Serial, Scatter::Atomic, Scatter::Private, Scatter::Auto] {
+    for scatter in [Scatter::Serial, Scatter::Atomic, Scatter::Private, Scatter::Colored, Scatter::Auto] {
         for threads in [1, 3] {
             Schedule { threads, scatter, ..Schedule::default() }.run(&run);
         }

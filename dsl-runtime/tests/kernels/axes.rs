@@ -42,7 +42,7 @@ fn a_field_without_axes_is_one_record() {
         let mut masses = Field::<f32, Soa>::new([20_000]);
         masses.fill(0.5);
         masses.set(77, 3.5);
-        for scatter in [Scatter::Auto, Scatter::Serial, Scatter::Private, Scatter::Atomic] {
+        for scatter in [Scatter::Auto, Scatter::Serial, Scatter::Private, Scatter::Atomic, Scatter::Colored] {
             let (mut all, mut largest) = (Field::<Node, L>::new([]), Field::<f32, L>::new([]));
             let mass = Schedule { scatter, ..Schedule::default() }.run(|| weigh(&masses, &mut all, &mut largest));
             assert_eq!(mass, 10_003.0);

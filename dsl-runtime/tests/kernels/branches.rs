@@ -77,7 +77,7 @@ fn every_schedule_accumulates() {
     fn run<L: Layout<Ij>>() {
         let mut keys = Field::<IVec2, Soa>::new([3000]);
         (0..3000).for_each(|p| keys.set(p, ivec2(p * p % 11, p % 13)));
-        for scatter_by in [Scatter::Serial, Scatter::Atomic, Scatter::Private] {
+        for scatter_by in [Scatter::Serial, Scatter::Atomic, Scatter::Colored, Scatter::Private] {
             for threads in [1, 2] {
                 let mut grid = Field::<Node, L>::new([11, 13]);
                 let mut most = numbered::<L>();

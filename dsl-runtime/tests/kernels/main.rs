@@ -10,6 +10,7 @@ mod boundaries;
 mod branches;
 #[cfg(not(allotrope_sanitized))]
 mod captures;
+mod colored;
 #[cfg(not(allotrope_sanitized))]
 mod enumerations;
 mod heads;

@@ -96,7 +96,7 @@ fn elements_of_inner_records_accumulate() {
     fn run<L: Layout<Ij>>() {
         let mut at = Field::<IVec2, Soa>::new([2000]);
         (0..2000).for_each(|p| at.set(p, ivec2(p * p % 9, p % 10)));
-        for scatter in [Scatter::Serial, Scatter::Atomic, Scatter::Private] {
+        for scatter in [Scatter::Serial, Scatter::Atomic, Scatter::Colored, Scatter::Private] {
             let mut cells = numbered::<L>();
             let sum = Schedule { threads: 2, scatter, ..Schedule::default() }.run(|| gather(&mut cells, &at));
             let mut expected = (0.0, 0);

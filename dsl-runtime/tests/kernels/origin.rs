@@ -184,7 +184,7 @@ fn every_view_reads_and_writes_the_same_indices() {
 
             let mut at = Field::<IVec2, Soa>::new([300]);
             (0..300).for_each(|p| at.set(p, ivec2(origin.0 + 1 + p % (N - 2), origin.1 + 1 + p * p % (M - 2))));
-            for scatter in [Scatter::Serial, Scatter::Private, Scatter::Atomic] {
+            for scatter in [Scatter::Serial, Scatter::Private, Scatter::Atomic, Scatter::Colored] {
                 let mut sums = Field::<i32, L>::new([N as usize, M as usize]).with_origin(origin);
                 Schedule { threads: 2, scatter, ..Schedule::default() }.run(|| accumulate(&at, &mut sums));
                 for (i, j) in all(origin) {

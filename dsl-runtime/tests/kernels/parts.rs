@@ -140,7 +140,7 @@ fn components_at_any_index() {
     fn run<L: Layout<I>>() {
         let mut at = Field::<u32, Aos>::new([300]);
         (0..300).for_each(|p| at.set(p, (p * 7 % 4) as u32));
-        for scatter_by in [Scatter::Serial, Scatter::Private, Scatter::Atomic] {
+        for scatter_by in [Scatter::Serial, Scatter::Private, Scatter::Atomic, Scatter::Colored] {
             let mut nodes = Field::<Node, L>::new([4]);
             nodes.fill(Node { v: vec3(-0.0, 0.0, 0.0), least: vec2(0.0, f32::NAN), m: Mat2::ZERO, ..Node::default() });
             let schedule = Schedule { threads: 3, scatter: scatter_by, grain: 16, ..Schedule::default() };

@@ -140,7 +140,7 @@ fn agree<L: Layout<Ij>, M: Layout<Ij>>() {
     exchange(&mut p, &mut x);
     twice(&mut members.x, &members.r);
     twice(&mut x, &r);
-    for scatter in [Scatter::Serial, Scatter::Private, Scatter::Atomic] {
+    for scatter in [Scatter::Serial, Scatter::Private, Scatter::Atomic, Scatter::Colored] {
         let schedule = Schedule { threads: 2, scatter, grain: 8, ..Schedule::default() };
         schedule.run(|| gather(&mut members.x, &mut members.p, &members.r));
         schedule.run(|| gather(&mut x, &mut p, &r));

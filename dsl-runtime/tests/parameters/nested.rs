@@ -70,7 +70,7 @@ fn an_inner_launch_runs_on_its_thread_and_inherits_the_schedule() {
             let world = world::<L>(1.0);
             (0..100).map(|p| Schedule { threads: 1, ..Schedule::default() }.run(|| helper(&world, p))).collect()
         };
-        for scatter in [Scatter::Auto, Scatter::Serial, Scatter::Private, Scatter::Atomic] {
+        for scatter in [Scatter::Auto, Scatter::Serial, Scatter::Private, Scatter::Atomic, Scatter::Colored] {
             for threads in 1..=3 {
                 let schedule = Schedule { threads, scatter, grain: 8, ..Schedule::default() };
                 let (world, mut out) = (world::<L>(1.0), Field::<f32, L>::new([100]));

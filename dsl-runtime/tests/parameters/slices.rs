@@ -89,7 +89,7 @@ fn total<S: allotrope::AnyMember<f32, Ij>>(#[field] s: &S) -> f32 {
 }
 
 fn schedules(mut each: impl FnMut(Schedule)) {
-    for scatter in [Scatter::Auto, Scatter::Serial, Scatter::Private, Scatter::Atomic] {
+    for scatter in [Scatter::Auto, Scatter::Serial, Scatter::Private, Scatter::Atomic, Scatter::Colored] {
         for threads in 1..=3 {
             each(Schedule { threads, scatter, grain: 16, ..Schedule::default() });
         }

@@ -130,7 +130,7 @@ fn mass_and_momentum_are_kept_in_plane_and_space() {
         grid: impl Fn() -> Field<Node<X, T>, G, X>,
         tolerance: f64,
     ) {
-        for scatter in [Scatter::Serial, Scatter::Private, Scatter::Atomic] {
+        for scatter in [Scatter::Serial, Scatter::Private, Scatter::Atomic, Scatter::Colored] {
             let (mass, momentum) = step::<X, T, P, G>(grid(), scatter);
             assert!((mass - 40.0).abs() < 40.0 * tolerance, "{mass}");
             for axis in 0..X::RANK {

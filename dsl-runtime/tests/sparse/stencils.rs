@@ -40,7 +40,7 @@ fn check<X: Spatial, L: Layout<X>>(mut sparse: Field<i64, L, X>, mut dense: Fiel
         (0..500).map(|_| X::Index::from_fn(|_| first + numbers.below((end - 2 - first) as usize) as i32)).collect();
     let bases: Vec<u32> = (0..500).collect();
     let mut sums = [Field::<i64, Soa>::new([bases.len()]), Field::<i64, Soa>::new([bases.len()])];
-    for scatter_by in [Scatter::Serial, Scatter::Private, Scatter::Atomic] {
+    for scatter_by in [Scatter::Serial, Scatter::Private, Scatter::Atomic, Scatter::Colored] {
         for threads in [1, 3] {
             sparse.clear();
             dense.fill(0);

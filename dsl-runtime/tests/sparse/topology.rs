@@ -78,7 +78,7 @@ fn elements_are_fixed_when_a_loop_starts() {
 fn what_activates() {
     let mut points = Field::<f32, Aos>::new([4]);
     points.copy_from_slice(&[0.0, 1.0, 0.0, 1.0]);
-    for scatter in [Scatter::Serial, Scatter::Private, Scatter::Atomic] {
+    for scatter in [Scatter::Serial, Scatter::Private, Scatter::Atomic, Scatter::Colored] {
         Schedule { threads: 2, grain: 1, scatter, ..Schedule::default() }.run(|| {
             let mut field = Field::<f32, Bits>::new([40, 40]);
             touch(&points, &mut field);

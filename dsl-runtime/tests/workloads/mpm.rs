@@ -109,7 +109,7 @@ fn mass_and_momentum_arrive_under_every_schedule() {
         let expected = points.iter().fold(DVec2::ZERO, |sum, p| sum + 0.25 * p.v.as_dvec2());
         assert!((momentum - expected).length() < 0.5, "{momentum} {expected}");
     }
-    for scatter in [Scatter::Serial, Scatter::Atomic, Scatter::Private, Scatter::Auto] {
+    for scatter in [Scatter::Serial, Scatter::Atomic, Scatter::Private, Scatter::Colored, Scatter::Auto] {
         run::<Aos, Soa>(scatter);
         run::<AoSoA<16>, Blocked<4>>(scatter);
     }

@@ -56,12 +56,29 @@ pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
         What::ScatterName { found } => {
             let message = match found.as_str() {
                 "" => "`#[scatter]` needs the name of a schedule".to_owned(),
-                "Colored" => "`#[scatter(Colored)]` is not available in this version".to_owned(),
                 other => format!("`{other}` is no schedule for accumulation"),
             };
             diagnostics
                 .error(Code::ScatterAttribute, at, message)
-                .help("write `#[scatter(Serial)]`, `#[scatter(Atomic)]`, `#[scatter(Private)]` or `#[scatter(Auto)]`");
+                .help("write `#[scatter(Serial)]`, `#[scatter(Private)]`, `#[scatter(Colored)]`, `#[scatter(Atomic)]` or `#[scatter(Auto)]`");
+        }
+        What::ScatterOption { schedule } => {
+            let error = diagnostics.error(
+                Code::ScatterAttribute,
+                at,
+                format!("`{schedule}` takes no `{text}` in `#[scatter(..)]`"),
+            );
+            let note = match schedule.as_str() {
+                "Colored" => "`key` says where an iteration accumulates, `reach` how far around there, each once",
+                _ => "`key` and `reach` are for `Colored` alone, which sorts iterations by where they accumulate",
+            };
+            error.note(note).help("write `#[scatter(Colored, key = cell(points.x[p]), reach = 2)]`");
+        }
+        What::ScatterReach => {
+            diagnostics
+                .error(Code::ScatterAttribute, at, format!("`reach` is a whole number of cells, and `{text}` is none"))
+                .note("tiles are cut before the loop runs: two of one colour must lie further apart than their updates reach")
+                .help("write a literal: `reach = 2`");
         }
         What::ScatterPlace => {
             diagnostics

@@ -1,7 +1,7 @@
 //! A parallel loop.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -12,6 +12,7 @@ use super::names::{self, Ends, handle, hidden, label, numbered, paths, plain, pr
 use super::rewrite::{Rewrite, Scope};
 use super::{captures, reductions};
 use crate::kernel::access::{Plan, View, plan};
+use crate::kernel::key;
 use crate::kernel::model::{Boundary, Branch, Call, Capture, Group, Head, Kernel, Loop, Sieve};
 
 /// A loop under expansion.
@@ -22,6 +23,10 @@ pub(super) struct Launch<'a> {
     held: Vec<&'a Capture>,
     /// Accesses relative to a checked base: the base's name and the offset.
     pub(super) based: BTreeMap<usize, (Ident, Expr)>,
+    /// Accumulations around bases that do not lie within what may be reached.
+    pub(super) far: BTreeSet<usize>,
+    /// The views of those.
+    pub(super) far_views: Rc<RefCell<BTreeSet<usize>>>,
     /// Where the blocks around checked bases are kept from one iteration to the next, each with its field's handle.
     pub(super) corners: Rc<RefCell<BTreeMap<Ident, TokenStream>>>,
 }
@@ -63,6 +68,8 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
         plan: plan(kernel, number),
         held: captures::held(parallel),
         based: BTreeMap::new(),
+        far: BTreeSet::new(),
+        far_views: Rc::default(),
         corners: Rc::default(),
     };
     let private = private();
@@ -78,12 +85,27 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
     let space_trait = (!always_fits).then(|| quote!(use #private::Space as _;));
     let wraps = launch.wraps();
     let options = launch.options();
-    let entry = if always_fits && launch.plan.targets.is_empty() { quote!(launch_own) } else { quote!(launch) };
+    let key = key::key(kernel, number, &launch.plan).map(|key| launch.key(&key));
+    let entry = match &key {
+        Some(_) => quote!(launch_keyed),
+        None if always_fits && launch.plan.targets.is_empty() => quote!(launch_own),
+        None => quote!(launch),
+    };
+    let key = key.map(|key| quote!(#key,));
     let copies = launch.copies();
     let (hide, settles) = (launch.hide_fields(), launch.settles());
-    let any_views = launch.any_views();
+    let targets = launch.targets();
+    let any_views = launch.any_views(&|_| true);
     let rows = if launch.plan.light { quote!(rows) } else { quote!(runs) };
     let body = launch.run(&pieces);
+    let far_views =
+        launch.far_views.take().into_iter().filter(|&view| launch.plan.views[view].view == View::Accumulate);
+    let far_views = far_views.map(|view| {
+        let name = launch.view_name(view);
+        let far = Ident::new(&format!("{name}_far"), name.span());
+        quote!(let #far = #name.far();)
+    });
+    let far_views: TokenStream = far_views.collect();
     let known = launch.corners.take();
     let corners = known.iter().map(|(name, handle)| quote!(let #name = #handle.corners();));
     let attributes = &parallel.attributes;
@@ -105,11 +127,13 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
             #before
             #assert_shared
             #wraps
-            #outs #private::#entry(&#space, #options, #[inline(always)] |#task| {
+            #outs #private::#entry(&#space, #options, #key #[inline(always)] |#task| {
                 #copies
                 #hold
                 #hide
                 #any_views
+                #far_views
+                #targets
                 #(#corners)*
                 #partials
                 #task.#rows(#[inline(always)] |#run| { #body });
@@ -264,7 +288,7 @@ impl Launch<'_> {
     }
 
     /// Offsets as an array; none stand for zeros over an unknown number of axes.
-    fn offset(&self, offset: &[i32]) -> TokenStream {
+    pub(super) fn offset(&self, offset: &[i32]) -> TokenStream {
         if self.parallel.rank.is_none() {
             return quote!([]);
         }
@@ -311,13 +335,13 @@ impl Launch<'_> {
     }
 
     /// Copies of the handles in the job's frame.
-    fn copies(&self) -> TokenStream {
+    pub(super) fn copies(&self) -> TokenStream {
         let (paths, handles): (Vec<_>, Vec<_>) = self.used().map(|handle| (paths(&handle), handle)).unzip();
         quote!(#(let #paths = #handles.paths(); let #handles = #handles.of_job(&#paths);)*)
     }
 
     /// Hides the fields' names, so that what was not rewritten does not compile.
-    fn hide_fields(&self) -> TokenStream {
+    pub(super) fn hide_fields(&self) -> TokenStream {
         let private = private();
         let names: Vec<_> = self.kernel.fields.iter().map(|field| &field.name).collect();
         if names.is_empty() {
@@ -330,45 +354,53 @@ impl Launch<'_> {
     pub(super) fn accumulated(&self, field: usize) -> TokenStream {
         let handle = handle(&self.kernel.fields[field]);
         match self.plan.targets.iter().position(|(target, _)| *target == field) {
-            Some(slot) => {
-                let task = hidden("task");
-                quote!(#handle.of_target(&#task, #slot))
-            }
-            None => quote!(#handle),
+            Some(slot) => numbered("target", slot).into_token_stream(),
+            None => handle.into_token_stream(),
         }
     }
 
-    /// The views that hold for the whole job.
-    fn any_views(&self) -> TokenStream {
+    /// What this job accumulates into.
+    fn targets(&self) -> TokenStream {
         let task = hidden("task");
-        let views = self.plan.views.iter().enumerate().map(|(number, planned)| {
-            let (name, handle) = (self.view_name(number), handle(&self.kernel.fields[planned.field]));
-            let tag = self.tag(planned.field, &planned.path);
-            match &planned.view {
-                View::Any => quote!(let #name = #handle.read(#tag);),
-                View::OwnFree => quote!(let #name = #handle.own_free(&#task, #tag);),
-                View::Accumulate => {
-                    let slot = self.plan.targets.iter().position(|(field, _)| *field == planned.field);
-                    let slot = slot.unwrap_or_default();
-                    quote!(let #name = #handle.accumulate(&#task, #slot, #tag);)
-                }
-                View::Beside(offset) => {
-                    let offset = self.offset(offset);
-                    quote!(let #name = #handle.beside(&#task, #tag, #offset);)
-                }
-                View::Together => quote!(let #name = #handle.together(&#task, #tag);),
-                View::AccumulateTogether => quote!(let #name = #handle.accumulate_together(&#task, #tag);),
-                View::Own | View::Row(_) => TokenStream::new(),
-            }
+        let targets = self.plan.targets.iter().enumerate().map(|(slot, (field, _))| {
+            let (target, handle) = (numbered("target", slot), handle(&self.kernel.fields[*field]));
+            quote!(let #target = #handle.of_target(&#task, #slot);)
         });
+        targets.collect()
+    }
+
+    /// The views that hold for the whole job, of those that are wanted.
+    pub(super) fn any_views(&self, wanted: &dyn Fn(usize) -> bool) -> TokenStream {
+        let task = hidden("task");
+        let views =
+            self.plan.views.iter().enumerate().filter(|(number, _)| wanted(*number)).map(|(number, planned)| {
+                let (name, handle) = (self.view_name(number), handle(&self.kernel.fields[planned.field]));
+                let tag = self.tag(planned.field, &planned.path);
+                match &planned.view {
+                    View::Any => quote!(let #name = #handle.read(#tag);),
+                    View::OwnFree => quote!(let #name = #handle.own_free(&#task, #tag);),
+                    View::Accumulate => {
+                        let slot = self.plan.targets.iter().position(|(field, _)| *field == planned.field);
+                        let slot = slot.unwrap_or_default();
+                        quote!(let #name = #handle.accumulate(&#task, #slot, #tag);)
+                    }
+                    View::Beside(offset) => {
+                        let offset = self.offset(offset);
+                        quote!(let #name = #handle.beside(&#task, #tag, #offset);)
+                    }
+                    View::Together => quote!(let #name = #handle.together(&#task, #tag);),
+                    View::AccumulateTogether => quote!(let #name = #handle.accumulate_together(&#task, #tag);),
+                    View::Own | View::Row(_) => TokenStream::new(),
+                }
+            });
         views.collect()
     }
 
-    /// What happens in a run: its views, and its elements.
-    fn run(&self, pieces: &reductions::Pieces) -> TokenStream {
+    /// The views of a run that are wanted: what makes them, what ends them, and what is read at the start of an element.
+    pub(super) fn run_views(&self, wanted: &dyn Fn(usize) -> bool) -> (TokenStream, TokenStream, TokenStream) {
         let (run, cell) = (hidden("run"), hidden("cell"));
         let (mut views, mut flushes, mut hoists) = (TokenStream::new(), TokenStream::new(), TokenStream::new());
-        for (number, planned) in self.plan.views.iter().enumerate() {
+        for (number, planned) in self.plan.views.iter().enumerate().filter(|(number, _)| wanted(*number)) {
             let (name, handle) = (self.view_name(number), handle(&self.kernel.fields[planned.field]));
             let (tag, private) = (self.tag(planned.field, &planned.path), private());
             let whose = match self.parallel.head.field() == Some(planned.field) {
@@ -394,6 +426,13 @@ impl Launch<'_> {
                 hoists.extend(quote!(let #hoisted = #name.get(&#cell);));
             }
         }
+        (views, flushes, hoists)
+    }
+
+    /// What happens in a run: its views, and its elements.
+    fn run(&self, pieces: &reductions::Pieces) -> TokenStream {
+        let (run, cell) = (hidden("run"), hidden("cell"));
+        let (views, flushes, hoists) = self.run_views(&|_| true);
         let halo = self.offset(self.plan.halo.as_deref().unwrap_or_default());
         let variables = self.variables();
         let rewrite = Rewrite { kernel: self.kernel, scope: Scope::Parallel(self) };
@@ -424,7 +463,7 @@ impl Launch<'_> {
     }
 
     /// Binds the loop's variables.
-    fn variables(&self) -> TokenStream {
+    pub(super) fn variables(&self) -> TokenStream {
         let cell = hidden("cell");
         let patterns =
             self.parallel.variables.iter().map(|name| name.as_ref().map_or_else(|| quote!(_), |name| quote!(#name)));
@@ -474,7 +513,14 @@ impl<'a> Launch<'a> {
             plan: self.plan.clone(),
             held: self.held.clone(),
             based,
+            far: self.far.clone(),
+            far_views: Rc::clone(&self.far_views),
             corners: Rc::clone(&self.corners),
         }
+    }
+
+    /// The same launch where bases do not lie within what may be reached.
+    pub(super) fn with_far(&self, far: BTreeSet<usize>) -> Launch<'a> {
+        Launch { far: &self.far | &far, ..self.with_based(self.based.clone()) }
     }
 }

@@ -3,6 +3,7 @@
 mod boxes;
 mod captures;
 mod host;
+mod key;
 mod launch;
 pub(super) mod names;
 mod reductions;

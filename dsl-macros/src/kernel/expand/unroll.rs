@@ -1,16 +1,19 @@
 //! `unroll!`: the body once for each value, and one check for a base with unrolled offsets.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
+use syn::Expr;
 use syn::spanned::Spanned;
-use syn::{BinOp, Expr};
 
 use super::launch::Launch;
 use super::names::{label, numbered, private};
 use super::rewrite::{Rewrite, Scope};
 use crate::kernel::access::View;
 use crate::kernel::model::{Boundary, Place, Unroll};
-use crate::kernel::syntax::{bare, integer, name_of, parts};
+use crate::kernel::offsets::{reach, split};
+use crate::kernel::syntax::name_of;
 
 /// The tokens of an unrolled loop.
 pub(super) fn unroll(rewrite: &Rewrite<'_>, node: usize, repeat: &Unroll) -> TokenStream {
@@ -39,7 +42,10 @@ pub(super) fn unroll(rewrite: &Rewrite<'_>, node: usize, repeat: &Unroll) -> Tok
     }
     let inside = launch.with_based(based);
     let fast = copies(&Rewrite { kernel: rewrite.kernel, scope: Scope::Parallel(&inside) }, node, repeat);
-    let slow = rolled(rewrite, node, repeat);
+    let far: BTreeSet<usize> = bases.iter().flat_map(|base| base.accesses.iter().map(|(access, _)| *access)).collect();
+    launch.far_views.borrow_mut().extend(far.iter().map(|access| launch.plan.view_of[access]));
+    let outside = launch.with_far(far);
+    let slow = rolled(&Rewrite { kernel: rewrite.kernel, scope: Scope::Parallel(&outside) }, node, repeat);
     quote! {
         match (#(#checks,)*) {
             (#(::core::option::Option::Some(#locals),)*) => { #fast }
@@ -160,8 +166,9 @@ fn bases(launch: &Launch<'_>, repeat: &Unroll) -> Vec<Base> {
         {
             continue;
         }
-        let Some((base, offset)) = split(launch, repeat, &access.index) else { continue };
-        let Some(reach) = reach(repeat, &offset) else { continue };
+        let Some((base, offset)) = split(launch.kernel, repeat, &access.index) else { continue };
+        let Some(reach) = reach(repeat, offset) else { continue };
+        let (base, offset) = (base.clone(), offset.clone());
         // `base + 1` with a vector adds to each part: as many parts as axes are needed.
         if repeat.axes.is_none() && launch.kernel.fields[access.field].rank != Some(reach.len()) {
             continue;
@@ -181,58 +188,4 @@ fn bases(launch: &Launch<'_>, repeat: &Unroll) -> Vec<Base> {
         }
     }
     found
-}
-
-/// Takes `base + offset` apart, where the base is a variable that the unrolled body leaves alone.
-fn split(launch: &Launch<'_>, repeat: &Unroll, index: &Expr) -> Option<(Expr, Expr)> {
-    let Expr::Binary(sum) = bare(index) else { return None };
-    if !matches!(sum.op, BinOp::Add(_)) {
-        return None;
-    }
-    let fixed = |expr: &Expr| {
-        name_of(expr).is_some_and(|name| {
-            !repeat.bound.contains(name)
-                && !repeat.variables.contains(&Some(name.clone()))
-                && !launch.kernel.mutable.contains(&name.to_string())
-        })
-    };
-    if fixed(&sum.left) { Some(((*sum.left).clone(), (*sum.right).clone())) } else { None }
-}
-
-/// The lowest and highest value of each part of an unrolled offset.
-fn reach(repeat: &Unroll, offset: &Expr) -> Option<Vec<(i32, i32)>> {
-    let offset = match name_of(offset) {
-        Some(name) if repeat.bound.iter().filter(|bound| *bound == name).count() == 1 => {
-            &repeat.offsets.iter().find(|(known, _)| known == name)?.1
-        }
-        _ => offset,
-    };
-    match parts(offset) {
-        Some(parts) => parts.into_iter().map(|part| interval(repeat, part)).collect(),
-        None => interval(repeat, offset).map(|interval| vec![interval]),
-    }
-}
-
-/// The lowest and highest value of a sum of unrolled variables and literals.
-fn interval(repeat: &Unroll, expr: &Expr) -> Option<(i32, i32)> {
-    if let Some(value) = integer(expr) {
-        return Some((value, value));
-    }
-    match bare(expr) {
-        Expr::Binary(binary) => {
-            let ((a, b), (c, d)) = (interval(repeat, &binary.left)?, interval(repeat, &binary.right)?);
-            match binary.op {
-                BinOp::Add(_) => Some((a.checked_add(c)?, b.checked_add(d)?)),
-                BinOp::Sub(_) => Some((a.checked_sub(d)?, b.checked_sub(c)?)),
-                _ => None,
-            }
-        }
-        path => {
-            let name = name_of(path)?;
-            let place = repeat.variables.iter().position(|variable| variable.as_ref() == Some(name))?;
-            let rebound = repeat.bound.contains(name);
-            let (start, end) = repeat.ranges[place];
-            (!rebound && start < end).then_some((start, end - 1))
-        }
-    }
 }

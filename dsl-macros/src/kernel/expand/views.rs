@@ -202,6 +202,7 @@ fn accumulate(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, access: &
     let ends = Ends::of(&access.spot);
     let value = rewrite.expr(value);
     let based = launch.based(node);
+    let far = launch.far.contains(&node);
     let (at, place) = match based {
         Some((base, offset)) => ("_at", quote!(&#base, #offset)),
         None => ("", promised(rewrite, rewrite.expr(&access.index))),
@@ -209,7 +210,7 @@ fn accumulate(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, access: &
     if !part.is_empty() {
         let value = element_with(rewrite, *op, part, &value, view);
         let (private, kind) = (private(), op.group().map(kind));
-        return ends.call(view, &format!("part{at}"), quote!(#private::#kind, #place, #value));
+        return call(&ends, view, far, &format!("part{at}"), quote!(#private::#kind, #place, #value));
     }
     let method = match op {
         Op::Add => "add",
@@ -222,7 +223,15 @@ fn accumulate(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, access: &
         Op::Xor => "xor",
         Op::Div | Op::Rem | Op::Shl | Op::Shr => unreachable!("`{}` accumulates nothing", op.text()),
     };
-    ends.call(view, &format!("{method}{at}"), quote!(#place, #value))
+    call(&ends, view, far, &format!("{method}{at}"), quote!(#place, #value))
+}
+
+/// Calls a method of a view, or of what stands for it where code is not to grow.
+fn call(ends: &Ends, view: &Ident, far: bool, method: &str, arguments: TokenStream) -> TokenStream {
+    if !far {
+        return ends.call(view, method, arguments);
+    }
+    ends.call(&Ident::new(&format!("{view}_far"), view.span()), method, arguments)
 }
 
 /// The element with a part that is accumulated, and nothing to accumulate in the others.

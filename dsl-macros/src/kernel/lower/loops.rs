@@ -3,16 +3,19 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::mem;
 
+use proc_macro2::TokenStream;
+use syn::parse::{ParseStream, Parser};
+use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::visit_mut::VisitMut;
-use syn::{Attribute, Block, Expr, ExprForLoop, Ident, Label, Meta, Pat, Stmt};
+use syn::{Attribute, Block, Expr, ExprAssign, ExprForLoop, Ident, Label, Meta, Pat, Stmt, Token};
 
 use super::heads::{self, Unrolled};
 use super::jumps::Target;
 use super::scope::Kind;
 use super::{Lower, Mode};
 use crate::kernel::model::{Call, Head, Indices, InnerLoop, Loop, Node, Place, Spot, Topology, Unroll, What};
-use crate::kernel::syntax::{bare, name_of, names, parts, plain_names};
+use crate::kernel::syntax::{bare, integer, name_of, names, parts, plain_names};
 
 /// The language's attributes on a loop.
 #[derive(Default)]
@@ -21,6 +24,9 @@ struct Attributes {
     /// Whether its turns are taken one after another, and its body is top level.
     ordered: bool,
     scatter: Option<Ident>,
+    /// `key = ..` and `reach = ..` of `#[scatter(Colored, ..)]`.
+    key: Option<Expr>,
+    reach: Option<i32>,
     /// `#[relaxed]`: whether iterations may meet in elements.
     relaxed: Option<Attribute>,
     /// Those that are Rust's.
@@ -60,27 +66,48 @@ impl Lower {
                 "serial" => found.serial = true,
                 "ordered" => found.ordered = true,
                 "relaxed" => found.relaxed = Some(attribute),
-                "scatter" => found.scatter = self.scatter(&attribute),
+                "scatter" => self.scatter(&attribute, &mut found),
                 _ => found.others.push(attribute),
             }
         }
         found
     }
 
-    fn scatter(&mut self, attribute: &Attribute) -> Option<Ident> {
+    fn scatter(&mut self, attribute: &Attribute, attributes: &mut Attributes) {
         let Meta::List(list) = &attribute.meta else {
-            self.find(What::ScatterName { found: String::new() }, attribute);
-            return None;
+            return self.find(What::ScatterName { found: String::new() }, attribute);
         };
-        let Ok(name) = list.parse_args::<Ident>() else {
-            self.find(What::ScatterName { found: list.tokens.to_string() }, &list.tokens);
-            return None;
+        let parse = |input: ParseStream<'_>| Ok((input.parse::<Ident>()?, input.parse::<TokenStream>()?));
+        let Ok((name, rest)) = list.parse_args_with(parse) else {
+            return self.find(What::ScatterName { found: list.tokens.to_string() }, &list.tokens);
         };
-        if !["Serial", "Atomic", "Private", "Auto"].contains(&name.to_string().as_str()) {
-            self.find(What::ScatterName { found: name.to_string() }, &name);
-            return None;
+        let schedule = name.to_string();
+        if !["Serial", "Atomic", "Private", "Colored", "Auto"].contains(&schedule.as_str()) {
+            return self.find(What::ScatterName { found: schedule }, &name);
         }
-        Some(name)
+        attributes.scatter = Some(name);
+        if rest.is_empty() {
+            return;
+        }
+        let options = |input: ParseStream<'_>| {
+            input.parse::<Token![,]>()?;
+            Punctuated::<ExprAssign, Token![,]>::parse_terminated(input)
+        };
+        let Ok(options) = options.parse2(rest.clone()) else {
+            return self.find(What::ScatterOption { schedule }, &rest);
+        };
+        for option in options {
+            match name_of(&option.left).map(ToString::to_string).as_deref() {
+                Some("key") if schedule == "Colored" && attributes.key.is_none() => {
+                    attributes.key = Some(*option.right)
+                }
+                Some("reach") if schedule == "Colored" && attributes.reach.is_none() => match integer(&option.right) {
+                    Some(reach) if reach >= 0 => attributes.reach = Some(reach),
+                    _ => self.find(What::ScatterReach, &option.right),
+                },
+                _ => self.find(What::ScatterOption { schedule: schedule.clone() }, &option),
+            }
+        }
     }
 
     fn parallel_loop(&mut self, expr: &mut Expr, attributes: Attributes) {
@@ -111,6 +138,8 @@ impl Lower {
             tuple,
             rank,
             scatter: attributes.scatter,
+            key: None,
+            reach: attributes.reach,
             relaxed: attributes.relaxed.is_some(),
             attributes: attributes.others,
             body: empty,
@@ -136,6 +165,10 @@ impl Lower {
         self.scopes.enter();
         for variable in variables.iter().flatten() {
             self.scopes.bind(variable, Kind::Value);
+        }
+        if let Some(mut key) = attributes.key {
+            self.visit_expr_mut(&mut key);
+            self.kernel.loops[number].key = Some(key);
         }
         self.visit_block_mut(&mut body);
         self.scopes.leave();
@@ -215,7 +248,7 @@ impl Lower {
         self.targets.push(Target::Plain(label.map(|label| label.name.clone())));
     }
 
-    fn unroll(&mut self, expr: &mut Expr, tokens: proc_macro2::TokenStream) {
+    fn unroll(&mut self, expr: &mut Expr, tokens: TokenStream) {
         let Expr::ForLoop(repeat) = &mut *expr else { return };
         let ranges = self.unroll_ranges(tokens);
         let Some(Unrolled { axes, ranges }) = ranges else { return };

@@ -281,7 +281,7 @@ fn scatter(
         let __space = ::allotrope::__private::over(__field_points);
         let __fits = true;
         ::allotrope::__private::assert_shared(&mpm);
-        ::allotrope::__private::launch(
+        ::allotrope::__private::launch_keyed(
             &__space,
             ::allotrope::__private::Options {
                 kernel: "scatter",
@@ -303,6 +303,57 @@ fn scatter(
                 together: ::core::option::Option::None,
                 ordered: false,
             },
+            ::allotrope::__private::key(
+                &__space,
+                0usize,
+                [0, 0],
+                [1, 0],
+                true,
+                &|__task, __sink| {
+                    let __field_points_paths = __field_points.paths();
+                    let __field_points = __field_points.of_job(&__field_points_paths);
+                    let __field_grid_paths = __field_grid.paths();
+                    let __field_grid = __field_grid.of_job(&__field_grid_paths);
+                    let __held_mpm = ::allotrope::__private::Wrap(mpm).hold();
+                    let points = ::allotrope::__private::NotAnAccess;
+                    let grid = ::allotrope::__private::NotAnAccess;
+                    let _ = (&points, &grid);
+                    __task
+                        .runs(
+                            #[inline(always)]
+                            |__run| {
+                                let __copy0 = ::allotrope::__private::buffer();
+                                let __v0_points_x = __field_points
+                                    .row(
+                                        &__run,
+                                        __field_points.tags().x,
+                                        [0],
+                                        ::allotrope::__private::OfLoop,
+                                        &__copy0,
+                                    );
+                                __run
+                                    .each(
+                                        [0],
+                                        #[inline(always)]
+                                        |__cell| {
+                                            let p = __cell.index();
+                                            let _ = (&p,);
+                                            let __h0 = __v0_points_x.get(&__cell);
+                                            __sink
+                                                .put(
+                                                    &__cell,
+                                                    '__element: {
+                                                        let base = (__held_mpm.get()).base((*(&__h0)));
+                                                        let _ = (&base,);
+                                                        ::core::option::Option::Some(__field_grid.key(base))
+                                                    },
+                                                );
+                                        },
+                                    );
+                            },
+                        );
+                },
+            ),
             #[inline(always)]
             |__task| {
                 let __field_points_paths = __field_points.paths();
@@ -315,7 +366,9 @@ fn scatter(
                 let _ = (&points, &grid);
                 let __v2_grid_m = __field_grid
                     .accumulate(&__task, 0usize, __field_grid.tags().m);
-                let __corners1_0 = __field_grid.of_target(&__task, 0usize).corners();
+                let __v2_grid_m_far = __v2_grid_m.far();
+                let __target0 = __field_grid.of_target(&__task, 0usize);
+                let __corners1_0 = __target0.corners();
                 __task
                     .runs(
                         #[inline(always)]
@@ -350,9 +403,7 @@ fn scatter(
                                         {
                                             let base = (__held_mpm.get()).base((*(&__h0)));
                                             match (
-                                                __field_grid
-                                                    .of_target(&__task, 0usize)
-                                                    .based(&__corners1_0, base, [0, 0], [1, 0]),
+                                                __target0.based(&__corners1_0, base, [0, 0], [1, 0]),
                                             ) {
                                                 (::core::option::Option::Some(__b1_0),) => {
                                                     {
@@ -375,7 +426,7 @@ fn scatter(
                                                             for j in 0i32..1i32 {
                                                                 {
                                                                     let offset = ivec2(i, j);
-                                                                    (__v2_grid_m).add(base + offset, (*(&__h1)));
+                                                                    (__v2_grid_m_far).add(base + offset, (*(&__h1)));
                                                                 }
                                                             }
                                                         }

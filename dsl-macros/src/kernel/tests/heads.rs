@@ -92,12 +92,29 @@ fn the_body_of_an_ordered_loop_is_top_level() {
 
 #[test]
 fn scatter_names_a_schedule_of_a_parallel_loop() {
-    for schedule in ["Serial", "Atomic", "Private", "Auto"] {
+    for schedule in [
+        "Serial",
+        "Atomic",
+        "Private",
+        "Colored",
+        "Auto",
+        "Colored, key = q[a] as i32",
+        "Colored, reach = 3",
+        "Colored, reach = 0, key = a + 1,",
+    ] {
         body(&format!("#[scatter({schedule})] for a in q {{ p[n] += q[a]; }}"), &[]);
     }
-    for attribute in
-        ["#[scatter]", "#[scatter(Fast)]", "#[scatter(Colored)]", "#[scatter(Colored, key = 1)]", "#[scatter = 1]"]
-    {
+    for attribute in [
+        "#[scatter]",
+        "#[scatter(Fast)]",
+        "#[scatter(Private, reach = 3)]",
+        "#[scatter(Colored, key)]",
+        "#[scatter(Colored, key = 1, key = 2)]",
+        "#[scatter(Colored, tile = 8)]",
+        "#[scatter(Colored, reach = n)]",
+        "#[scatter(Colored, reach = -1)]",
+        "#[scatter = 1]",
+    ] {
         body(&format!("{attribute} for a in q {{ p[n] += q[a]; }}"), &["A0115"]);
     }
     body("#[scatter(Atomic)] #[serial] for a in q { p[n] += q[a]; }", &["A0115"]);

@@ -1,0 +1,285 @@
+//! The elements of a loop in the order of the tiles that they update: a stable counting sort of pieces of the loop.
+
+use core::marker::PhantomData;
+use core::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use super::tiles::Tiles;
+use crate::axes::{Axes, MAX_AXES, all};
+use crate::launch::{Cell, Space, run_jobs};
+
+/// Neighbouring elements of a loop: the number of the first, and how many.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Piece {
+    pub(crate) first: u32,
+    pub(crate) len: u32,
+}
+
+/// Pieces in memory that several threads fill.
+#[doc(hidden)]
+#[derive(Debug, Default)]
+pub(crate) struct PackedPiece(AtomicU64);
+
+impl PackedPiece {
+    fn set(&self, piece: Piece) {
+        self.0.store(u64::from(piece.first) | u64::from(piece.len) << 32, Ordering::Relaxed);
+    }
+
+    #[inline(always)]
+    pub(crate) fn get(&self) -> Piece {
+        let bits = self.0.load(Ordering::Relaxed);
+        Piece { first: bits as u32, len: (bits >> 32) as u32 }
+    }
+}
+
+/// A piece whose elements have keys in one tile.
+#[derive(Clone, Copy, Debug)]
+struct Found {
+    piece: Piece,
+    tile: u32,
+}
+
+/// Logical coordinates of an element of a field.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Coordinates<X>(pub(crate) [i64; MAX_AXES], pub(crate) PhantomData<X>);
+
+/// Takes the keys of a loop's elements, in the order of the loop.
+#[doc(hidden)]
+#[derive(Debug)]
+pub struct Sink {
+    tiles: Tiles,
+    /// The loop's box: the first of its elements, and the number of elements along each axis.
+    first: [i64; MAX_AXES],
+    extent: [u64; MAX_AXES],
+    axis: usize,
+    /// The tile of the last key: its first coordinates and extents.
+    start: [i64; MAX_AXES],
+    within: [u64; MAX_AXES],
+    tile: u32,
+    open: Option<Found>,
+    found: Vec<Found>,
+    /// The least and largest keys, instead of pieces.
+    span: Option<([i64; MAX_AXES], [i64; MAX_AXES])>,
+}
+
+impl Sink {
+    pub(super) fn new<S: Space>(space: &S, tiles: &Tiles, measures: bool) -> Self {
+        let (first, end) = space.bounds();
+        let extent = |a: usize| if a < S::RANK { (end[a] - first[a]) as u64 } else { 1 };
+        Self {
+            tiles: *tiles,
+            first,
+            extent: core::array::from_fn(extent),
+            axis: S::AXIS,
+            start: [0; MAX_AXES],
+            within: [0; MAX_AXES],
+            tile: 0,
+            open: None,
+            found: Vec::new(),
+            span: measures.then_some(([i64::MAX; MAX_AXES], [i64::MIN; MAX_AXES])),
+        }
+    }
+
+    /// Takes the key of an element: where it updates. One without a key goes with the last.
+    #[inline(always)]
+    pub fn put<S: Space, X: Axes>(&mut self, cell: &Cell<'_, S>, key: Option<Coordinates<X>>) {
+        if let Some(Coordinates(key, _)) = key
+            && !self.holds::<X>(&key)
+        {
+            self.enter(key);
+        }
+        let at = cell.at();
+        let along = (at[S::AXIS] - self.first[S::AXIS]) as u64;
+        let number = if S::RANK == 1 { along as u32 } else { self.number(at) };
+        match &mut self.open {
+            Some(open)
+                if open.tile == self.tile
+                    && open.piece.first + open.piece.len == number
+                    && (S::RANK == 1 || along != 0) =>
+            {
+                open.piece.len += 1;
+            }
+            _ => self.begin(number),
+        }
+    }
+
+    #[inline(always)]
+    fn holds<X: Axes>(&self, key: &[i64; MAX_AXES]) -> bool {
+        all::<X>(
+            #[inline(always)]
+            |a| (key[a].wrapping_sub(self.start[a]) as u64) < self.within[a],
+        )
+    }
+
+    fn enter(&mut self, key: [i64; MAX_AXES]) {
+        if let Some((low, high)) = &mut self.span {
+            for a in 0..MAX_AXES {
+                low[a] = low[a].min(key[a]);
+                high[a] = high[a].max(key[a]);
+            }
+            return;
+        }
+        (self.tile, self.start) = self.tiles.find(key);
+        self.within = self.tiles.extent().map(u64::from);
+    }
+
+    fn begin(&mut self, number: u32) {
+        if self.span.is_none() {
+            self.found.extend(self.open.replace(Found { piece: Piece { first: number, len: 1 }, tile: self.tile }));
+        }
+    }
+
+    /// The number of an element: the loop's run axis is fastest.
+    fn number(&self, at: [i64; MAX_AXES]) -> u32 {
+        let mut number = 0;
+        for a in (0..MAX_AXES).filter(|&a| a != self.axis).chain([self.axis]) {
+            number = number * self.extent[a] + (at[a] - self.first[a]) as u64;
+        }
+        number as u32
+    }
+
+    /// Whether pieces are so short that the loop's order has nothing to do with the tiles.
+    pub(super) fn is_scattered(&self) -> bool {
+        const SHORT: usize = 4;
+        let elements: usize = self.found.iter().map(|found| found.piece.len as usize).sum();
+        elements < self.found.len() * SHORT
+    }
+
+    /// Ends the list of pieces.
+    fn close(&mut self) {
+        self.found.extend(self.open.take());
+    }
+}
+
+/// The pieces of a loop, tile by tile, and the tiles by colour.
+#[derive(Debug)]
+pub(crate) struct Bins {
+    tiles: Tiles,
+    pieces: Vec<PackedPiece>,
+    jobs: Vec<Job>,
+    /// Where the jobs of each colour end.
+    colours: Vec<usize>,
+}
+
+/// A tile with elements.
+#[derive(Clone, Copy, Debug)]
+struct Job {
+    tile: u32,
+    first: usize,
+    end: usize,
+}
+
+impl Bins {
+    /// Sorts a loop: `keys` puts those of one of so many blocks into a sink.
+    pub(super) fn new<S: Space>(
+        space: &S,
+        tiles: &Tiles,
+        threads: usize,
+        blocks: usize,
+        keys: &(dyn Fn(usize, &mut Sink) + Sync),
+    ) -> Self {
+        let lists: Vec<Mutex<Vec<Found>>> = (0..blocks).map(|_| Mutex::default()).collect();
+        run_jobs(threads, blocks, &|block| {
+            let mut sink = Sink::new(space, tiles, false);
+            keys(block, &mut sink);
+            sink.close();
+            *lists[block].lock().unwrap_or_else(PoisonError::into_inner) = sink.found;
+        });
+        let lists: Vec<Vec<Found>> =
+            lists.into_iter().map(|list| list.into_inner().unwrap_or_else(PoisonError::into_inner)).collect();
+        Self::sorted(*tiles, threads, &lists)
+    }
+
+    fn sorted(tiles: Tiles, threads: usize, lists: &[Vec<Found>]) -> Self {
+        let count = tiles.count() as usize;
+        // Neighbouring lists go together: the order does not depend on how many do.
+        let groups = threads.min(lists.len()).max(1);
+        let group = |g: usize| lists[lists.len() * g / groups..lists.len() * (g + 1) / groups].iter().flatten();
+        let counted: Vec<Mutex<Vec<u32>>> = (0..groups).map(|_| Mutex::default()).collect();
+        run_jobs(threads, groups, &|g| {
+            let mut counts = vec![0; count];
+            group(g).for_each(|found| counts[found.tile as usize] += 1);
+            *counted[g].lock().unwrap_or_else(PoisonError::into_inner) = counts;
+        });
+        // From counts to where each group's pieces of each tile begin.
+        let mut begins: Vec<Vec<u32>> =
+            counted.into_iter().map(|counts| counts.into_inner().unwrap_or_else(PoisonError::into_inner)).collect();
+        let mut by_colour: Vec<Vec<Job>> = vec![Vec::new(); tiles.colours()];
+        let mut next = 0;
+        for tile in 0..count {
+            let first = next as usize;
+            for counts in &mut begins {
+                next += core::mem::replace(&mut counts[tile], next);
+            }
+            if next as usize > first {
+                by_colour[tiles.colour(tile as u32)].push(Job { tile: tile as u32, first, end: next as usize });
+            }
+        }
+        let pieces: Vec<PackedPiece> = (0..next).map(|_| PackedPiece::default()).collect();
+        let begins: Vec<Mutex<Vec<u32>>> = begins.into_iter().map(Mutex::new).collect();
+        run_jobs(threads, groups, &|g| {
+            let mut begins = begins[g].lock().unwrap_or_else(PoisonError::into_inner);
+            for found in group(g) {
+                let place = &mut begins[found.tile as usize];
+                pieces[*place as usize].set(found.piece);
+                *place += 1;
+            }
+        });
+        let colours = by_colour.iter().scan(0, |end, jobs| {
+            *end += jobs.len();
+            Some(*end)
+        });
+        Self { tiles, pieces, colours: colours.collect(), jobs: by_colour.concat() }
+    }
+
+    pub(super) fn tiles(&self) -> &Tiles {
+        &self.tiles
+    }
+
+    /// How many tiles have elements.
+    pub(crate) fn jobs(&self) -> usize {
+        self.jobs.len()
+    }
+
+    /// The tile of a number.
+    pub(super) fn tile(&self, number: usize) -> u32 {
+        self.jobs[number].tile
+    }
+
+    /// The numbers of the tiles of each colour.
+    pub(super) fn colours(&self) -> impl Iterator<Item = core::ops::Range<usize>> + '_ {
+        let first = core::iter::once(0).chain(self.colours.iter().copied());
+        first.zip(&self.colours).map(|(first, &end)| first..end)
+    }
+
+    /// The pieces of the elements of a tile.
+    pub(crate) fn pieces(&self, number: usize) -> &[PackedPiece] {
+        let job = self.jobs[number];
+        &self.pieces[job.first..job.end]
+    }
+}
+
+/// The least and largest keys of a loop; none where it has none.
+pub(super) fn span<S: Space>(
+    space: &S,
+    tiles: &Tiles,
+    threads: usize,
+    blocks: usize,
+    keys: &(dyn Fn(usize, &mut Sink) + Sync),
+) -> Option<([i64; MAX_AXES], [i64; MAX_AXES])> {
+    let all = Mutex::new(([i64::MAX; MAX_AXES], [i64::MIN; MAX_AXES]));
+    run_jobs(threads, blocks, &|block| {
+        let mut sink = Sink::new(space, tiles, true);
+        keys(block, &mut sink);
+        let (low, high) = sink.span.unwrap_or_else(|| unreachable!("a sink that measures"));
+        let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
+        for a in 0..MAX_AXES {
+            all.0[a] = all.0[a].min(low[a]);
+            all.1[a] = all.1[a].max(high[a]);
+        }
+    });
+    let (low, high) = all.into_inner().unwrap_or_else(PoisonError::into_inner);
+    (low[0] <= high[0]).then_some((low, high))
+}

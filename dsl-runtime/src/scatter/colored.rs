@@ -1,0 +1,133 @@
+//! `Colored`: the elements of a loop go with the tile that they update. Tiles of one colour cannot meet and run at the same time, one colour
+//! after another. What an element updates beyond its tile's window waits until all have run.
+
+use core::cell::RefCell;
+use std::sync::{Mutex, PoisonError};
+
+use super::bins::{Bins, Sink, span};
+use super::late::Late;
+use super::share::Share;
+use super::tiles::Tiles;
+use super::{Scattered, Shares};
+use crate::axes::MAX_AXES;
+use crate::launch::{Space, Task, run_jobs};
+
+/// Tiles up to which it does not matter how many of them are empty.
+const FEW: u64 = 1 << 16;
+/// The most tiles, empty ones included.
+const MOST: u64 = 1 << 24;
+
+/// Loops of fewer blocks are not asked for their order.
+const SAMPLED: usize = 16;
+
+/// The body of a loop that finds the keys of a task's elements.
+type Keys<'a, S> = &'a (dyn Fn(Task<'_, S>, &mut Sink) + Sync);
+
+/// Where the elements of a loop update, before they do.
+#[doc(hidden)]
+pub struct Key<'a, S> {
+    /// The field that keys are indices of.
+    pub(crate) slot: usize,
+    reach: ([i64; MAX_AXES], [i64; MAX_AXES]),
+    /// Whether all updates are known to lie within the reach.
+    pub(crate) certain: bool,
+    pub(crate) keys: Keys<'a, S>,
+}
+
+impl<S> core::fmt::Debug for Key<'_, S> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "Key of slot {}, {:?}", self.slot, self.reach)
+    }
+}
+
+/// The keys of a loop are indices of a slot's field; updates lie from `low` to `high` around them, with `N` = 1 along every axis.
+#[doc(hidden)]
+pub fn key<'a, const N: usize, S: Space>(
+    _: &S,
+    slot: usize,
+    low: [i64; N],
+    high: [i64; N],
+    certain: bool,
+    keys: Keys<'a, S>,
+) -> Key<'a, S> {
+    let wide =
+        |offsets: [i64; N]| core::array::from_fn(|a| if N == 1 { offsets[0] } else { *offsets.get(a).unwrap_or(&0) });
+    Key { slot, reach: (wide(low), wide(high)), certain, keys }
+}
+
+impl<S: Space> Key<'_, S> {
+    /// Whether a loop can be sorted by keys of its field, whatever the keys are.
+    pub(crate) fn is_possible(&self, space: &S, targets: &[&dyn Scattered]) -> bool {
+        let rank = targets[self.slot].rank();
+        S::DIVISIBLE && rank > 0 && targets.iter().all(|t| t.rank() == rank) && u32::try_from(space.elements()).is_ok()
+    }
+
+    /// Whether neighbouring elements of a loop of so many blocks accumulate far from each other, as some of the blocks tell.
+    pub(crate) fn is_scattered(
+        &self,
+        space: &S,
+        targets: &[&dyn Scattered],
+        blocks: usize,
+        keys: &(dyn Fn(usize, &mut Sink) + Sync),
+    ) -> bool {
+        let tiles = self.tiles(space, targets, None);
+        let mut sink = Sink::new(space, &tiles, false);
+        let asked = [1, 3, 5, 7].map(|n| blocks * n / 8);
+        asked.into_iter().take(if blocks < SAMPLED { 0 } else { asked.len() }).for_each(|block| keys(block, &mut sink));
+        sink.is_scattered()
+    }
+
+    fn tiles(&self, space: &S, targets: &[&dyn Scattered], keys: Option<([i64; MAX_AXES], [i64; MAX_AXES])>) -> Tiles {
+        let target = targets[self.slot];
+        Tiles::new(target.rank(), target.geometry(), target.block(), space.elements(), self.reach, keys)
+    }
+
+    /// Sorts a loop of so many blocks by its keys, which `keys` finds; not where they lie too far apart.
+    pub(crate) fn sort(
+        &self,
+        space: &S,
+        targets: &[&dyn Scattered],
+        threads: usize,
+        blocks: usize,
+        keys: &(dyn Fn(usize, &mut Sink) + Sync),
+    ) -> Option<Bins> {
+        let mut cut = self.tiles(space, targets, None);
+        if cut.count() > FEW.max(space.elements() as u64 / 4) {
+            cut = self.tiles(space, targets, span(space, &cut, threads, blocks, keys));
+        }
+        (cut.count() <= MOST).then(|| Bins::new(space, &cut, threads, blocks, keys))
+    }
+}
+
+impl Bins {
+    /// Runs all tiles. `run` is called once with each number and what the tile may accumulate into.
+    pub(crate) fn execute(
+        &self,
+        threads: usize,
+        targets: &[&dyn Scattered],
+        run: &(dyn Fn(usize, &[Share<'_>]) + Sync),
+    ) {
+        let strays: Mutex<Vec<(usize, Late)>> = Mutex::default();
+        for colour in self.colours() {
+            run_jobs(threads, colour.len(), &|n| {
+                let number = colour.start + n;
+                let (late, tile) = (RefCell::new(Late::default()), self.tile(number));
+                let share = |target: &&dyn Scattered| {
+                    let window = self.tiles().window(tile, target.geometry());
+                    Share { root: target.root(), window, late: Some(&late) }
+                };
+                run(number, Shares::new(targets.iter().map(share)).get());
+                let late = late.into_inner();
+                if !late.is_empty() {
+                    strays.lock().unwrap_or_else(PoisonError::into_inner).push((number, late));
+                }
+            });
+        }
+        let mut strays = strays.into_inner().unwrap_or_else(PoisonError::into_inner);
+        strays.sort_unstable_by_key(|(number, _)| *number);
+        for (_, late) in strays {
+            // SAFETY: no tile runs any more, and the updates were kept for these targets.
+            unsafe { late.apply(targets) };
+        }
+    }
+}
