@@ -282,8 +282,13 @@
 //! | --- | --- |
 //! | `Serial` | on one thread, plainly |
 //! | `Private` | each job into a copy of its own; the copies are combined in a fixed order |
+//! | `Colored` | elements are sorted by the tile of the field that they update; tiles that cannot meet run at the same time, with plain updates |
 //! | `Atomic` | by compare-and-swap on each component |
-//! | `Auto` | the default: one of these, chosen from threads, extents and work |
+//! | `Auto` | the default: one of these, chosen from threads, extents, work, and the order of what is updated |
+//!
+//! `Colored` needs a key, which tells where an element updates before it does. Kernels find it where an index is built from `let`s at the top of
+//! the loop's body that call nothing but what is known to compute alone, or anything under `#[scatter(Colored)]`: they run twice then. Or it is given, `#[scatter(Colored, key = cell(points.x[p]), reach = 2)]`. The
+//! key may be wrong: what lies beyond the reach is kept and updated in the end. A loop without a key is `Private` instead.
 //!
 //! With `deterministic` these results too are the same bits for any number of threads; `Atomic`, `#[relaxed]` and what returns old values are refused then.
 //!

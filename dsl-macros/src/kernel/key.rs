@@ -89,9 +89,19 @@ pub(crate) fn key(kernel: &Kernel, number: usize, plan: &Plan) -> Option<Key> {
         let (index, steps) = (Some(index.clone()), Vec::new());
         return Some(Key { slot: 0, index, steps, reach: Reach::All(-reach, reach), certain: true, reads });
     }
+    let asked = parallel.scatter.as_ref().is_some_and(|scatter| scatter == "Colored");
     let found: Vec<Option<Candidate>> = nodes.iter().map(|&node| candidate(kernel, node)).collect();
     let (first, (steps, reads)) =
         found.iter().flatten().find_map(|first| Some((first, resolve(kernel, parallel, plan, first)?)))?;
+    // What runs twice must do nothing but compute, unless the loop itself asks for it.
+    let computes = |step: &Step| match step {
+        Step::Let(local) => local.init.as_ref().is_none_or(|init| only_computes(kernel, &init.expr)),
+        Step::Guard(condition) => only_computes(kernel, condition),
+    };
+    let pure = steps.iter().all(computes) && first.base.as_ref().is_none_or(|base| only_computes(kernel, base));
+    if !asked && !pure {
+        return None;
+    }
     let alike = || found.iter().flatten().filter(|other| other.same(first));
     let widest = alike().try_fold(first.reach.clone(), |widest, other| widest.union(&other.reach));
     let mut certain = alike().count() == nodes.len() && widest.is_some();
@@ -103,6 +113,58 @@ pub(crate) fn key(kernel: &Kernel, number: usize, plan: &Plan) -> Option<Key> {
     let field = kernel.access(first.node).field;
     let slot = plan.targets.iter().position(|(target, _)| *target == field)?;
     Some(Key { slot, index: first.base.clone(), steps, reach, certain, reads })
+}
+
+/// Whether all calls in an expression are of functions that are known to do nothing but compute.
+fn only_computes<'a>(kernel: &'a Kernel, expr: &'a Expr) -> bool {
+    let mut walk = Walk::new(kernel);
+    walk.visit_expr(expr);
+    walk.calls.iter().all(|name| {
+        const KNOWN: [&str; 38] = [
+            "abs",
+            "ceil",
+            "clamp",
+            "cross",
+            "div_euclid",
+            "dot",
+            "element_product",
+            "element_sum",
+            "exp",
+            "extend",
+            "floor",
+            "fract",
+            "from",
+            "length",
+            "length_squared",
+            "ln",
+            "max",
+            "max_element",
+            "min",
+            "min_element",
+            "mul_add",
+            "normalize",
+            "powf",
+            "powi",
+            "random",
+            "recip",
+            "rem_euclid",
+            "round",
+            "rotate",
+            "signum",
+            "splat",
+            "sqrt",
+            "trunc",
+            "truncate",
+            "zero",
+            "one",
+            "count_ones",
+            "trailing_zeros",
+        ];
+        const KINDS: [&str; 5] = ["as_", "to_", "wrapping_", "saturating_", "select"];
+        let vector = name.strip_prefix(['i', 'u', 'd']).unwrap_or(name);
+        let vector = vector.strip_prefix("vec").is_some_and(|size| matches!(size, "2" | "3" | "3a" | "4"));
+        vector || KNOWN.contains(&name.as_str()) || KINDS.iter().any(|kind| name.starts_with(kind))
+    })
 }
 
 /// What an accumulation's index is built upon.
@@ -239,14 +301,14 @@ fn is_told_later(local: &Local, value: &Expr) -> bool {
 
 /// The names in an expression, those of accesses' indices included.
 fn mentioned<'a>(kernel: &'a Kernel, expr: &'a Expr) -> BTreeSet<Ident> {
-    let mut walk = Walk { kernel, names: BTreeSet::new(), nodes: Vec::new(), other: false };
+    let mut walk = Walk::new(kernel);
     walk.visit_expr(expr);
     walk.names
 }
 
 /// The accesses in an expression that reads fields and variables and does nothing else that could be seen.
 fn reads_of<'a>(kernel: &'a Kernel, plan: &Plan, expr: &'a Expr) -> Option<BTreeSet<usize>> {
-    let mut walk = Walk { kernel, names: BTreeSet::new(), nodes: Vec::new(), other: false };
+    let mut walk = Walk::new(kernel);
     walk.visit_expr(expr);
     let mut reads = BTreeSet::new();
     for &node in &walk.nodes {
@@ -271,7 +333,7 @@ fn is_read(access: &Access) -> bool {
 
 /// Whether a statement ends its iteration.
 fn jumps<'a>(kernel: &'a Kernel, statement: &'a Stmt) -> bool {
-    let mut walk = Walk { kernel, names: BTreeSet::new(), nodes: Vec::new(), other: false };
+    let mut walk = Walk::new(kernel);
     walk.visit_stmt(statement);
     walk.nodes.iter().any(|&node| matches!(kernel.nodes[node], Node::Jump(Jump::Element)))
 }
@@ -281,11 +343,17 @@ struct Walk<'a> {
     kernel: &'a Kernel,
     names: BTreeSet<Ident>,
     nodes: Vec<usize>,
+    /// What is called.
+    calls: Vec<String>,
     /// Whether there is anything that does more than to compute a value.
     other: bool,
 }
 
 impl<'a> Walk<'a> {
+    fn new(kernel: &'a Kernel) -> Self {
+        Self { kernel, names: BTreeSet::new(), nodes: Vec::new(), calls: Vec::new(), other: false }
+    }
+
     fn block(&mut self, block: &'a Block) {
         block.stmts.iter().for_each(|statement| self.visit_stmt(statement));
     }
@@ -317,6 +385,18 @@ impl<'a> Visit<'a> for Walk<'a> {
             return;
         }
         match expr {
+            Expr::Call(call) => self.calls.push(match &*call.func {
+                // A vector's constructor goes by its type.
+                Expr::Path(path) => {
+                    let mut words = path.path.segments.iter().rev().map(|segment| segment.ident.to_string());
+                    match (words.next(), words.next()) {
+                        (Some(name), Some(of)) if name == "new" => of.to_lowercase(),
+                        (name, _) => name.unwrap_or_default(),
+                    }
+                }
+                _ => String::new(),
+            }),
+            Expr::MethodCall(call) => self.calls.push(call.method.to_string()),
             Expr::Path(path) => self.names.extend(path.path.get_ident().cloned()),
             Expr::Return(_) | Expr::Break(_) | Expr::Continue(_) | Expr::Try(_) | Expr::Await(_) | Expr::Assign(_) => {
                 self.other = true;

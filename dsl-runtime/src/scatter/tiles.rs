@@ -141,3 +141,70 @@ impl Tiles {
         Window::between(geometry, low, end)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::axes::{Axes, I, Ij, Ijk};
+    use crate::layout::Aos;
+
+    /// All tiles of fields of one shape: windows of a colour are disjoint, and what keys of a tile reach lies in its window.
+    fn windows_of_a_colour_are_disjoint<X: Axes>(shape: [usize; MAX_AXES], origin: i64, elements: usize, reach: i64) {
+        let axes = |a: usize| a < X::RANK;
+        let first = core::array::from_fn(|a| if axes(a) { origin } else { 0 });
+        let geometry = Geometry::new::<Aos, X>(shape).and_then(|g| g.with_origin::<X>(first)).expect("a geometry");
+        for (low, high) in
+            [([0; MAX_AXES], [0; MAX_AXES]), ([-reach; MAX_AXES], [reach; MAX_AXES]), ([0; 4], [reach; 4])]
+        {
+            for block in [1, 3, 8] {
+                let tiles = Tiles::new(X::RANK, &geometry, [block; MAX_AXES], elements, (low, high), None);
+                let count = tiles.count() as u32;
+                let inside = |number: u32, at: [i64; MAX_AXES]| {
+                    tiles.window(number, &geometry).within::<X>(at, &geometry).is_some()
+                };
+                let mut at = first;
+                let mut step = 0;
+                // Every cell has at most one tile of each colour whose window holds it.
+                while at[0] < first[0] + shape[0] as i64 {
+                    let (home, start) = tiles.find(at);
+                    for axis in (0..X::RANK).filter(|&a| tiles.counts[a] > 1) {
+                        assert!(
+                            (0..i64::from(tiles.extent[axis])).contains(&(at[axis] - start[axis])),
+                            "{at:?} in {start:?}"
+                        );
+                    }
+                    let far = |of: [i64; MAX_AXES]| -> [i64; MAX_AXES] {
+                        core::array::from_fn(|a| {
+                            let last = first[a] + shape[a] as i64 - 1;
+                            if axes(a) { (at[a] + of[a]).clamp(first[a], last) } else { 0 }
+                        })
+                    };
+                    assert!(inside(home, far(low)) && inside(home, far(high)), "{at:?} reaches {low:?} to {high:?}");
+                    let holders: Vec<usize> = (0..count).filter(|&t| inside(t, at)).map(|t| tiles.colour(t)).collect();
+                    for colour in 0..tiles.colours() {
+                        assert!(holders.iter().filter(|&&held| held == colour).count() <= 1, "{at:?}: {holders:?}");
+                    }
+                    // Some cells, in every part of the field.
+                    step += 1;
+                    for axis in (0..X::RANK).rev() {
+                        at[axis] += if axis + 1 == X::RANK { 1 + (step % 3) as i64 } else { 1 };
+                        if axis == 0 || at[axis] < first[axis] + shape[axis] as i64 {
+                            break;
+                        }
+                        at[axis] = first[axis];
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn tiles_of_a_colour_never_meet() {
+        for reach in [0, 1, 3, 40] {
+            windows_of_a_colour_are_disjoint::<I>([5000, 1, 1, 1], -7, 1 << 20, reach);
+            windows_of_a_colour_are_disjoint::<Ij>([70, 90, 1, 1], 0, 1 << 20, reach);
+            windows_of_a_colour_are_disjoint::<Ij>([9, 200, 1, 1], -100, 100, reach);
+            windows_of_a_colour_are_disjoint::<Ijk>([20, 30, 25, 1], 3, 1 << 20, reach);
+        }
+    }
+}

@@ -248,7 +248,7 @@ fn unrolled_scatter() {
     insta::assert_snapshot!(expansion(
         "fn scatter(points: &Field<Point, _>, grid: &mut Field<Node, _, Ij>, mpm: &Mpm) {
             for p in points {
-                let base = mpm.base(points.x[p]);
+                let base = (points.x[p] * mpm.scale).as_ivec2();
                 for (i, j) in unroll!(0..2, 0..1) {
                     let offset = ivec2(i, j);
                     grid.m[base + offset] += points.m[p];
@@ -343,7 +343,8 @@ fn scatter(
                                                 .put(
                                                     &__cell,
                                                     '__element: {
-                                                        let base = (__held_mpm.get()).base((*(&__h0)));
+                                                        let base = ((*(&__h0)) * (__held_mpm.get()).scale)
+                                                            .as_ivec2();
                                                         let _ = (&base,);
                                                         ::core::option::Option::Some(__field_grid.key(base))
                                                     },
@@ -401,7 +402,8 @@ fn scatter(
                                         let __h0 = __v0_points_x.get(&__cell);
                                         let __h1 = __v1_points_m.get(&__cell);
                                         {
-                                            let base = (__held_mpm.get()).base((*(&__h0)));
+                                            let base = ((*(&__h0)) * (__held_mpm.get()).scale)
+                                                .as_ivec2();
                                             match (
                                                 __target0.based(&__corners1_0, base, [0, 0], [1, 0]),
                                             ) {
@@ -646,4 +648,40 @@ fn checked(u: &mut Field<f32, impl ::allotrope::Layout<::allotrope::I>>) {
     #[cfg(any())] u.fill(0.0);
 }
 "#);
+}
+
+/// Whether a kernel's loop over `p` can be sorted by where it accumulates.
+fn has_key(body: &str) -> bool {
+    let kernel = "fn k(p: &mut Field<P, _>, g: &mut Field<f32, _, Ij>, q: &Field<i32, _>, m: &M, n: i32)";
+    expansion(&format!("{kernel} {{ {body} }}")).contains("launch_keyed")
+}
+
+#[test]
+fn keys_are_found_where_they_do_nothing_but_compute() {
+    for body in [
+        "for a in p { g[p.x[a].as_ivec2()] += 1.0; }",
+        "for a in p { let b = ivec2(q[a], n); g[b] += 1.0; }",
+        "for a in p { if p.dead[a] { continue; } let b = p.x[a].as_ivec2(); p.x[a] *= 2.0; g[b + ivec2(0, 1)] += m.w; }",
+        "for a in p { let b = p.x[a].as_ivec2(); if m.on { for (i, j) in unroll!(0..2, 0..2) { g[b + ivec2(i, j)] += 1.0; } } }",
+        "for ij in g { g[ij + ivec2(1, 0)] += 1.0; }",
+        "#[scatter(Colored)] for a in p { g[m.cell(p.x[a])] += 1.0; }",
+        "#[scatter(Colored, key = m.cell(p.x[a]))] for a in p { for b in 0..n { let c = f(b); g[c] += 1.0; } }",
+    ] {
+        assert!(has_key(body), "{body}");
+    }
+    for body in [
+        // What is called twice might be seen to be.
+        "for a in p { g[m.cell(p.x[a])] += 1.0; }",
+        "for a in p { let b = m.counter.fetch_add(1, Relaxed); g[(b, b)] += 1.0; }",
+        // Not at the top of the body, or not known before the loop runs.
+        "for a in p { for b in 0..n { g[(b, b)] += 1.0; } }",
+        "for a in p { let mut b = ivec2(0, 0); b.x = q[a]; g[b] += 1.0; }",
+        "for a in p { if m.on { g[(q[a], q[a])] += 1.0; } }",
+        "for a in p { let b = if m.on { continue; } else { ivec2(0, q[a]) }; g[b] += 1.0; }",
+        "for a in p { if m.on { continue; } else { f(); } let b = ivec2(0, q[a]); g[b] += 1.0; }",
+        // Another schedule.
+        "#[scatter(Private)] for a in p { g[p.x[a].as_ivec2()] += 1.0; }",
+    ] {
+        assert!(!has_key(body), "{body}");
+    }
 }
