@@ -38,8 +38,8 @@ const COMMAND_LINES: &[Case] = &[
     ),
     wrong("run mpm --layout sao+soa", "`mpm` has no layout `sao+soa`; did you mean `soa+soa`?"),
     wrong(
-        "run mpm --schedule coloured",
-        "there is no schedule `coloured`; known are `auto`, `serial`, `private`, `atomic`",
+        "run mpm --schedule tiled",
+        "there is no schedule `tiled`; known are `auto`, `serial`, `private`, `colored`, `atomic`",
     ),
     wrong("bench mpm --schedules serail", "there is no schedule `serail`; did you mean `serial`?"),
     wrong("bench mpm --layouts ,", "`--layouts` and `--schedules` each want at least one name"),
