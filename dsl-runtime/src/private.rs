@@ -18,7 +18,7 @@ pub use crate::record::{
 };
 pub use crate::scatter::{Coordinates, Key, Op, Scattered, Sink, Target, key};
 pub use crate::view::{
-    Accumulate, Based, Beside, Boxed, Buffer, Corners, Far, Free, Held, Linear, OfLoop, Other, Own, OwnFree, Read, Row,
+    Accumulate, Based, Beside, Boxed, Buffer, Corners, Free, Held, Linear, OfLoop, Other, Own, OwnFree, Read, Row,
     Site, Together, Var, View, assert_packed, buffer, exclusive, negative, shared,
 };
 pub use crate::view::{EightCorners, Whose};

@@ -12,7 +12,7 @@ use crate::launch::cpu::Cpu;
 #[non_exhaustive]
 pub enum Scatter {
     /// Chosen from threads, extents and work: `Serial` on one thread or for little work; `Colored` where it is known how far updates reach
-    /// and copies would cost more, since the field is sparse, or has many cells an element, or lies in no cache while the loop's order has
+    /// and copies would cost more, since the field has many cells an element, or lies in no cache while the loop's order has
     /// nothing to do with it; else `Private` where the copies fit in memory, else `Serial` below ten threads and `Atomic` from there on.
     #[default]
     Auto,

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use quote::ToTokens;
 use syn::visit::{self, Visit};
-use syn::{Block, Expr, Ident, Local, Pat, Stmt};
+use syn::{BinOp, Block, Expr, Ident, Local, Pat, Stmt};
 
 use super::access::{Plan, View};
 use super::model::{Access, Action, Boundary, Jump, Kernel, Loop, MacroArguments, Node, Place, node_of};
@@ -78,13 +78,16 @@ impl Candidate {
 /// The key of a loop, where there is one.
 pub(crate) fn key(kernel: &Kernel, number: usize, plan: &Plan) -> Option<Key> {
     let parallel = &kernel.loops[number];
+    if plan.targets.is_empty() {
+        return None;
+    }
     if parallel.scatter.as_ref().is_some_and(|scatter| scatter != "Colored" && scatter != "Auto") {
         return None;
     }
     let adds = |node: &&usize| plan.views[plan.view_of[*node]].view == View::Accumulate;
     let nodes: Vec<usize> = parallel.accesses.iter().filter(adds).copied().collect();
     if let Some(index) = &parallel.key {
-        let reads = reads_of(kernel, plan, index)?;
+        let reads = accesses(kernel, index);
         let reach = parallel.reach.unwrap_or_default();
         let (index, steps) = (Some(index.clone()), Vec::new());
         return Some(Key { slot: 0, index, steps, reach: Reach::All(-reach, reach), certain: true, reads });
@@ -120,7 +123,7 @@ fn only_computes<'a>(kernel: &'a Kernel, expr: &'a Expr) -> bool {
     let mut walk = Walk::new(kernel);
     walk.visit_expr(expr);
     walk.calls.iter().all(|name| {
-        const KNOWN: [&str; 38] = [
+        const KNOWN: [&str; 37] = [
             "abs",
             "ceil",
             "clamp",
@@ -145,7 +148,6 @@ fn only_computes<'a>(kernel: &'a Kernel, expr: &'a Expr) -> bool {
             "normalize",
             "powf",
             "powi",
-            "random",
             "recip",
             "rem_euclid",
             "round",
@@ -196,7 +198,7 @@ fn candidate(kernel: &Kernel, node: usize) -> Option<Candidate> {
         return None;
     }
     if let Expr::Binary(sum) = bare(&access.index)
-        && matches!(sum.op, syn::BinOp::Add(_))
+        && matches!(sum.op, BinOp::Add(_))
         && name_of(&sum.left).is_some()
         && let Some(offset) = parts(&sum.right)
         && let Some(offset) = offset.into_iter().map(integer).collect::<Option<Vec<i32>>>()
@@ -293,10 +295,23 @@ fn is_told_later(local: &Local, value: &Expr) -> bool {
             self.0 = true;
         }
     }
+    // A literal has the type of what it is used with.
+    let untyped = |expr: &Expr| {
+        let mut names = false;
+        struct Names<'n>(&'n mut bool);
+        impl Visit<'_> for Names<'_> {
+            fn visit_ident(&mut self, _: &Ident) {
+                *self.0 = true;
+            }
+        }
+        Names(&mut names).visit_expr(expr);
+        !names
+    };
+    let shifted = matches!(bare(value), Expr::Binary(shift) if matches!(shift.op, BinOp::Shl(_) | BinOp::Shr(_)) && untyped(&shift.left));
     let typed = matches!(&local.pat, Pat::Type(typed) if !typed.ty.to_token_stream().to_string().contains('_'));
     let mut open = Open(false);
     open.visit_expr(value);
-    open.0 && !typed
+    (open.0 || shifted || untyped(value)) && !typed
 }
 
 /// The names in an expression, those of accesses' indices included.
@@ -325,6 +340,13 @@ fn reads_of<'a>(kernel: &'a Kernel, plan: &Plan, expr: &'a Expr) -> Option<BTree
         }
     }
     (!walk.other).then_some(reads)
+}
+
+/// The accesses in an expression.
+fn accesses<'a>(kernel: &'a Kernel, expr: &'a Expr) -> BTreeSet<usize> {
+    let mut walk = Walk::new(kernel);
+    walk.visit_expr(expr);
+    walk.nodes.into_iter().filter(|&node| matches!(kernel.nodes[node], Node::Access(_))).collect()
 }
 
 fn is_read(access: &Access) -> bool {

@@ -628,6 +628,8 @@ pub(crate) enum What {
     ScatterOption { schedule: String },
     /// `reach = ..` that is no literal.
     ScatterReach,
+    /// `key = ..` that does more than to read.
+    ScatterKey,
     /// `#[scatter(..)]` on a loop that is not parallel.
     ScatterPlace,
     /// `break`, `return`, `?` or `.await` out of a parallel loop.

@@ -290,23 +290,18 @@ fn start<const CAREFUL: bool, const TILED: bool, S: Space, Out: Send, F: Fn(Task
     let part = |units| Task::new(space, units, options.fits, alone);
     let possible = key.filter(|key| TILED && key.is_possible(space, options.targets));
     let keys = |b: usize, sink: &mut Sink| key.into_iter().for_each(|key| (key.keys)(part(block(b)), sink));
-    let asks = (threads > 1 || schedule.deterministic) && options.scatter.unwrap_or(schedule.scatter) == Scatter::Auto;
-    let tiled = possible.map(|key| Tiled {
-        certain: key.certain,
-        scattered: asks && key.certain && key.is_scattered(space, options.targets, blocks, &keys),
-    });
-    let mut plan = scatter::plan(&options, &schedule, threads, elements, blocks, tiled);
+    let scattered = || possible.is_some_and(|key| key.is_scattered(space, options.targets, blocks, &keys));
+    let tiled = possible.map(|key| Tiled { certain: key.certain, scattered: &scattered });
+    let plan = scatter::plan(&options, &schedule, threads, elements, blocks, tiled);
     if plan.colored
         && let Some(key) = possible
     {
-        if let Some(bins) = key.sort(space, options.targets, plan.threads, blocks, &keys) {
-            let tile = |tile: usize, shares: &[Share<'_>]| {
-                let task = Task { pieces: bins.pieces(tile), shares, ..part(0..0) };
-                dispatch::<CAREFUL, TILED, S, Out, F>(cpu, body, task)
-            };
-            return results(bins.jobs(), tile, |run| bins.execute(plan.threads, options.targets, run));
-        }
-        plan = scatter::plan(&options, &schedule, threads, elements, blocks, None);
+        let bins = key.sort(space, options.targets, plan.threads, blocks, &keys);
+        let tile = |tile: usize, shares: &[Share<'_>]| {
+            let task = Task { pieces: bins.pieces(tile), shares, ..part(0..0) };
+            dispatch::<CAREFUL, TILED, S, Out, F>(cpu, body, task)
+        };
+        return results(bins.jobs(), tile, |run| bins.execute(plan.threads, options.targets, run));
     }
     let run = |b: usize, shares: &[Share<'_>]| {
         let task = Task { atomic: plan.atomic, shares, ..part(block(b)) };

@@ -220,6 +220,7 @@ impl<S: Space, F: Sieve> Space for Sifted<S, F> {
     const DIGITS: &'static [Digit] = S::DIGITS;
     const SPARSE: bool = S::SPARSE;
     const BRANCH: usize = S::BRANCH;
+    const DIVISIBLE: bool = S::DIVISIBLE;
 
     /// As many as there are to sift: what decides how they are dealt out.
     fn elements(&self) -> usize {
@@ -266,8 +267,6 @@ impl<S: Space, F: Sieve> Space for Sifted<S, F> {
             },
         );
     }
-
-    const DIVISIBLE: bool = S::DIVISIBLE;
 
     #[inline(always)]
     fn part(&self, piece: Piece) -> Self {

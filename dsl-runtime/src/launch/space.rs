@@ -36,6 +36,8 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
     const SPARSE: bool = false;
     /// The branch of the loop's field.
     const BRANCH: usize = 0;
+    /// Whether [`part`](Self::part) is available.
+    const DIVISIBLE: bool;
     /// Elements in all.
     fn elements(&self) -> usize;
     /// What is dealt out to threads: blocks, or elements where there are none.
@@ -46,8 +48,6 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
     fn origin(&self) -> [i32; MAX_AXES];
     /// Visits the runs of some units in memory order; `LIGHT` writes whole runs out apart from cut ones.
     fn visit<const LIGHT: bool>(&self, units: Range<usize>, fits: bool, run: impl FnMut(Run<'_, Self>));
-    /// Whether [`part`](Self::part) is available.
-    const DIVISIBLE: bool;
     /// The elements of a piece alone. Numbers count along the run axis first, then along the other axes, the last of them first.
     fn part(&self, piece: Piece) -> Self;
     /// The loop's variable at coordinates.
@@ -425,6 +425,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Space for Cells<R, L, X, P> {
     const DIGITS: &'static [Digit] = <Self as Chained<X>>::CHAIN.digits;
     const SPARSE: bool = <Self as Chained<X>>::CHAIN.is_sparse();
     const BRANCH: usize = Map::<R, L, X>::branch(P::OFFSET);
+    const DIVISIBLE: bool = !Self::SPARSE;
 
     fn elements(&self) -> usize {
         if let Some(list) = self.active.list() {
@@ -501,8 +502,6 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Space for Cells<R, L, X, P> {
             }
         }
     }
-
-    const DIVISIBLE: bool = !Self::SPARSE;
 
     #[inline(always)]
     fn part(&self, piece: Piece) -> Self {
@@ -703,6 +702,7 @@ impl<T: Integers<X = X>, X: Axes> Space for Ranges<T, X> {
     const RUN: usize = 0;
     const EXTENT: PerAxis = [1; MAX_AXES];
     const DIGITS: &'static [Digit] = &[];
+    const DIVISIBLE: bool = true;
 
     fn elements(&self) -> usize {
         (0..X::RANK).map(|a| (self.end[a] - self.first[a]) as usize).product()
@@ -764,8 +764,6 @@ impl<T: Integers<X = X>, X: Axes> Space for Ranges<T, X> {
             }
         }
     }
-
-    const DIVISIBLE: bool = true;
 
     #[inline(always)]
     fn part(&self, piece: Piece) -> Self {

@@ -12,10 +12,8 @@ use super::{Scattered, Shares};
 use crate::axes::MAX_AXES;
 use crate::launch::{Space, Task, run_jobs};
 
-/// Tiles up to which it does not matter how many of them are empty.
-const FEW: u64 = 1 << 16;
-/// The most tiles, empty ones included.
-const MOST: u64 = 1 << 24;
+/// A field of so many cells an element may be empty for the most part: its tiles are cut where the keys are.
+const ROOMY: usize = 8;
 
 /// Loops of fewer blocks are not asked for their order.
 const SAMPLED: usize = 16;
@@ -70,19 +68,33 @@ impl<S: Space> Key<'_, S> {
         blocks: usize,
         keys: &(dyn Fn(usize, &mut Sink) + Sync),
     ) -> bool {
-        let tiles = self.tiles(space, targets, None);
-        let mut sink = Sink::new(space, &tiles, false);
+        if blocks < SAMPLED {
+            return false;
+        }
         let asked = [1, 3, 5, 7].map(|n| blocks * n / 8);
-        asked.into_iter().take(if blocks < SAMPLED { 0 } else { asked.len() }).for_each(|block| keys(block, &mut sink));
+        let tiles = self.tiles(space, targets, 1, asked.len(), &|n, sink| keys(asked[n], sink));
+        let mut sink = Sink::new(space, &tiles, false);
+        asked.into_iter().for_each(|block| keys(block, &mut sink));
         sink.is_scattered()
     }
 
-    fn tiles(&self, space: &S, targets: &[&dyn Scattered], keys: Option<([i64; MAX_AXES], [i64; MAX_AXES])>) -> Tiles {
-        let target = targets[self.slot];
-        Tiles::new(target.rank(), target.geometry(), target.block(), space.elements(), self.reach, keys)
+    /// The tiles for a loop of so many blocks, whose keys `keys` finds.
+    fn tiles(
+        &self,
+        space: &S,
+        targets: &[&dyn Scattered],
+        threads: usize,
+        blocks: usize,
+        keys: &(dyn Fn(usize, &mut Sink) + Sync),
+    ) -> Tiles {
+        let (target, elements) = (targets[self.slot], space.elements());
+        let cut = |span| Tiles::new(target.rank(), target.geometry(), target.block(), elements, self.reach, span);
+        let tiles = cut(None);
+        let roomy = target.geometry().len() / ROOMY > elements;
+        if roomy { cut(span(space, &tiles, threads, blocks, keys)) } else { tiles }
     }
 
-    /// Sorts a loop of so many blocks by its keys, which `keys` finds; not where they lie too far apart.
+    /// Sorts a loop of so many blocks by its keys, which `keys` finds.
     pub(crate) fn sort(
         &self,
         space: &S,
@@ -90,12 +102,8 @@ impl<S: Space> Key<'_, S> {
         threads: usize,
         blocks: usize,
         keys: &(dyn Fn(usize, &mut Sink) + Sync),
-    ) -> Option<Bins> {
-        let mut cut = self.tiles(space, targets, None);
-        if cut.count() > FEW.max(space.elements() as u64 / 4) {
-            cut = self.tiles(space, targets, span(space, &cut, threads, blocks, keys));
-        }
-        (cut.count() <= MOST).then(|| Bins::new(space, &cut, threads, blocks, keys))
+    ) -> Bins {
+        Bins::new(space, &self.tiles(space, targets, threads, blocks, keys), threads, blocks, keys)
     }
 }
 

@@ -45,12 +45,12 @@ pub(crate) struct Plan {
 }
 
 /// A loop that can be sorted by where it accumulates.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Tiled {
+#[derive(Clone, Copy)]
+pub(crate) struct Tiled<'a> {
     /// Whether all of its updates are known to lie around there.
     pub(crate) certain: bool,
     /// Whether neighbouring elements accumulate far from each other.
-    pub(crate) scattered: bool,
+    pub(crate) scattered: &'a dyn Fn() -> bool,
 }
 
 /// Decides how a launch runs.
@@ -63,7 +63,7 @@ pub(crate) fn plan(
     threads: usize,
     elements: usize,
     blocks: usize,
-    tiles: Option<Tiled>,
+    tiles: Option<Tiled<'_>>,
 ) -> Plan {
     let serial = Plan { threads: 1, jobs: 1, atomic: false, colored: false };
     if options.targets.is_empty() {
@@ -117,13 +117,13 @@ pub(crate) fn plan(
 ///
 /// To find and sort keys costs about twice as much an element as to combine a copy does a cell, when neighbouring elements go together. When
 /// they do not, elements are fetched one by one, which is less than to fetch the cells so only where these lie in no cache.
-fn suits_tiles(targets: &[&dyn Scattered], tiled: Tiled, elements: usize, jobs: usize) -> bool {
+fn suits_tiles(targets: &[&dyn Scattered], tiled: Tiled<'_>, elements: usize, jobs: usize) -> bool {
     let sum = |of: fn(&&dyn Scattered) -> usize| targets.iter().map(of).fold(0, usize::saturating_add);
     let cells = sum(|t| t.cells()).saturating_mul(jobs - 1);
     tiled.certain
-        && match tiled.scattered {
+        && match (tiled.scattered)() {
             true => sum(|t| t.bytes()) > CACHED,
-            false => elements.saturating_mul(2) < cells || targets.iter().any(|t| t.is_sparse()),
+            false => elements.saturating_mul(2) < cells,
         }
 }
 

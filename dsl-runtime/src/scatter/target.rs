@@ -24,8 +24,6 @@ pub trait Scattered: Sync {
     fn rank(&self) -> usize;
     /// Cells of a block of the first accumulated member's branch along each axis.
     fn block(&self) -> [u32; MAX_AXES];
-    /// Whether a member that is accumulated stands in a sparse branch: a copy's blocks are made anew in each launch.
-    fn is_sparse(&self) -> bool;
     /// The bytes of a copy.
     fn bytes(&self) -> usize;
     /// Its elements.
@@ -209,10 +207,6 @@ impl<R: Record, L: Layout<X>, X: Axes> Scattered for Target<'_, '_, R, L, X> {
 
     fn rank(&self) -> usize {
         X::RANK
-    }
-
-    fn is_sparse(&self) -> bool {
-        self.sparse_branches().next().is_some()
     }
 
     fn block(&self) -> [u32; MAX_AXES] {

@@ -72,7 +72,7 @@ impl Tiles {
                 this.count_along(a, spans[a].1);
             }
         }
-        while this.count() > ENOUGH && !worth(&this) {
+        while this.count() > ENOUGH && this.counts[0] > 1 && !worth(&this) {
             this.extent[0] = this.extent[0].saturating_mul(2);
             this.count_along(0, spans[0].1);
         }
@@ -204,7 +204,21 @@ mod tests {
             windows_of_a_colour_are_disjoint::<I>([5000, 1, 1, 1], -7, 1 << 20, reach);
             windows_of_a_colour_are_disjoint::<Ij>([70, 90, 1, 1], 0, 1 << 20, reach);
             windows_of_a_colour_are_disjoint::<Ij>([9, 200, 1, 1], -100, 100, reach);
+            // More tiles along the second axis than so few elements are worth.
+            windows_of_a_colour_are_disjoint::<Ij>([9, 1904, 1, 1], 0, 100, reach);
             windows_of_a_colour_are_disjoint::<Ijk>([20, 30, 25, 1], 3, 1 << 20, reach);
         }
+    }
+
+    #[test]
+    fn tiles_are_cut_where_the_keys_are() {
+        let geometry = Geometry::new::<Aos, Ij>([1 << 20, 1 << 20, 1, 1]).expect("a geometry");
+        let (keys, reach) = (([1000, 5000, 0, 0], [1900, 5900, 0, 0]), ([0; MAX_AXES], [2; MAX_AXES]));
+        let tiles = |keys| Tiles::new(2, &geometry, [8; MAX_AXES], 1 << 20, reach, keys);
+        let (all, found) = (tiles(None), tiles(Some(keys)));
+        assert!(found.count() >= 57 && found.extent[0] == 16, "{found:?}");
+        let between = |tiles: &Tiles| tiles.find([1900, 5900, 0, 0]).0.abs_diff(tiles.find([1000, 5000, 0, 0]).0);
+        assert!(between(&all) < between(&found), "few of {all:?} hold keys");
+        assert_eq!(found.find([1000, 5000, 0, 0]).0, 0);
     }
 }

@@ -19,9 +19,11 @@ use crate::scatter::{Late, Share, Window};
 
 /// Accumulates into a path of a field at any index. No update is lost: the memory is this job's own, or every component
 /// is updated atomically.
+///
+/// With `FAR` every update is a call: where it is not worth the code to do it in place.
 #[doc(hidden)]
 #[derive(Debug)]
-pub struct Accumulate<'a, R, L, X, P> {
+pub struct Accumulate<'a, R, L, X, P, const FAR: bool = false> {
     lane: Lane<'a, R, L, X, P>,
     atomic: bool,
     /// The elements that this job updates, and what takes the updates of others.
@@ -32,13 +34,13 @@ pub struct Accumulate<'a, R, L, X, P> {
     owner: PhantomData<*mut ()>,
 }
 
-impl<R, L, X, P> Clone for Accumulate<'_, R, L, X, P> {
+impl<R, L, X, P, const FAR: bool> Clone for Accumulate<'_, R, L, X, P, FAR> {
     #[inline(always)]
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<R, L, X, P> Copy for Accumulate<'_, R, L, X, P> {}
+impl<R, L, X, P, const FAR: bool> Copy for Accumulate<'_, R, L, X, P, FAR> {}
 
 macro_rules! operations {
     ($($name:ident $name_at:ident $operator:ident, $bound:ident, $doc:literal;)*) => {$(
@@ -71,7 +73,7 @@ macro_rules! operations {
     )*};
 }
 
-impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Accumulate<'a, R, L, X, P>
+impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, const FAR: bool> Accumulate<'a, R, L, X, P, FAR>
 where
     P::Value: Element,
 {
@@ -103,6 +105,9 @@ where
         <P::Value as Element>::Scalar: Updated,
     {
         let (at, geometry) = (index.coordinates(), &self.lane.handle().geometry);
+        if FAR {
+            return self.elsewhere::<O>(at, value);
+        }
         if !T::CHECKED && self.late.is_none() {
             return self.apply::<O>(geometry.place(at), value);
         }
@@ -207,10 +212,12 @@ where
         }
     }
 
-    /// The same view, whose updates are calls.
+    /// The same view, whose updates are calls: around bases that do not lie within what a job may reach. It is a copy, as what calls could
+    /// reach would have to stay in memory.
     #[inline(always)]
-    pub fn far(&self) -> Far<'a, R, L, X, P> {
-        Far(*self)
+    pub fn far(&self) -> Accumulate<'a, R, L, X, P, true> {
+        let &Self { lane, atomic, window, late, slot, owner } = self;
+        Accumulate { lane, atomic, window, late, slot, owner }
     }
 
     /// What changes nothing: an accumulation into a component fills the others with it.
@@ -311,84 +318,6 @@ where
         <P::Value as Element>::Scalar: Number,
     {
         self.apply_at::<Product>(base, offset, P::Value::factor(by));
-    }
-}
-
-/// The same where it is not worth the code to do it in place: around bases that do not lie within what a job may reach.
-///
-/// It is a copy, as what calls could reach would have to stay in memory.
-#[doc(hidden)]
-#[derive(Debug)]
-pub struct Far<'a, R, L, X, P>(Accumulate<'a, R, L, X, P>);
-
-macro_rules! far_operations {
-    ($($name:ident $operator:ident, $bound:ident, $doc:literal;)*) => {$(
-        #[doc = $doc]
-        ///
-        /// # Panics
-        /// Where the index lies outside of the shape.
-        #[inline(always)]
-        #[track_caller]
-        pub fn $name(&self, index: impl IntoIndex<X>, value: P::Value)
-        where
-            <P::Value as Element>::Scalar: $bound,
-        {
-            self.0.elsewhere::<$operator>(index.coordinates(), value);
-        }
-    )*};
-}
-
-impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Far<'_, R, L, X, P>
-where
-    P::Value: Element,
-{
-    far_operations! {
-        add Sum, Number, "`+=`.";
-        min Min, Number, "`min_assign`.";
-        max Max, Number, "`max_assign`.";
-        or BitOr, Bits, "`|=`.";
-        and BitAnd, Bits, "`&=`.";
-        xor BitXor, Bits, "`^=`.";
-    }
-
-    /// `-=`.
-    ///
-    /// # Panics
-    /// Where the index lies outside of the shape.
-    #[inline(always)]
-    #[track_caller]
-    pub fn sub(&self, index: impl IntoIndex<X>, value: P::Value)
-    where
-        <P::Value as Element>::Scalar: Number,
-    {
-        self.0.elsewhere::<Sum>(index.coordinates(), negative(value));
-    }
-
-    /// `*=`, component by component.
-    ///
-    /// # Panics
-    /// Where the index lies outside of the shape.
-    #[inline(always)]
-    #[track_caller]
-    pub fn mul<Rhs>(&self, index: impl IntoIndex<X>, by: Rhs)
-    where
-        P::Value: ComponentMul<Rhs>,
-        <P::Value as Element>::Scalar: Number,
-    {
-        self.0.elsewhere::<Product>(index.coordinates(), P::Value::factor(by));
-    }
-
-    /// Accumulates into those components of an element that are not the identity.
-    ///
-    /// # Panics
-    /// Where the index lies outside of the shape.
-    #[inline(always)]
-    #[track_caller]
-    pub fn part<O: Operator<<P::Value as Element>::Scalar>>(&self, _: O, index: impl IntoIndex<X>, value: P::Value)
-    where
-        <P::Value as Element>::Scalar: Updated,
-    {
-        self.0.elsewhere::<Kept<O>>(index.coordinates(), value);
     }
 }
 

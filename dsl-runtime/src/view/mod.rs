@@ -13,8 +13,8 @@ mod topology;
 
 use core::fmt;
 
+pub use accumulate::Accumulate;
 pub use accumulate::negative;
-pub use accumulate::{Accumulate, Far};
 pub use base::{Based, Corners, EightCorners};
 pub use beside::Beside;
 pub(crate) use free::Places;
@@ -204,28 +204,10 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
         Row::new(self.handle, self.site, run, by, copy)
     }
 
-    /// As [`based`](Self::based), with the same offsets along all axes.
-    #[inline(always)]
-    pub fn based_all<'b>(
-        self,
-        corners: &'b L::Corners,
-        base: impl crate::index::IntoIndex<X>,
-        low: i64,
-        high: i64,
-    ) -> Option<Based<'b, L, X>> {
-        self.all().based_all(corners, base, low, high)
-    }
-
     /// The field as one that a job may reach all of.
     #[inline(always)]
-    fn all(self) -> Reached<'a, R, L, X> {
+    pub fn all(self) -> Reached<'a, R, L, X> {
         Reached { window: Window::whole(&self.handle.geometry), handle: self.handle }
-    }
-
-    /// Where the blocks around bases are kept.
-    #[inline(always)]
-    pub fn corners(&self) -> L::Corners {
-        L::Corners::default()
     }
 
     /// Reads a path at an index, whatever else the loop does there.
@@ -247,18 +229,6 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
             self.site.out_of_range::<X>(at, geometry);
         }
         geometry.place(at)
-    }
-
-    /// The field around `base`, if all of `base + low` to `base + high` lies within it.
-    #[inline(always)]
-    pub fn based<'b, const N: usize>(
-        self,
-        corners: &'b L::Corners,
-        base: impl crate::index::IntoIndex<X>,
-        low: [i64; N],
-        high: [i64; N],
-    ) -> Option<Based<'b, L, X>> {
-        self.all().based(corners, base, low, high)
     }
 
     /// Where a loop accumulates.

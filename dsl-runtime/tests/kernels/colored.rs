@@ -205,6 +205,49 @@ fn own_writes_happen_once() {
     assert_eq!(counts.get(3), 1000u32.div_ceil(90));
 }
 
+/// A caller promises that indices lie in the field, not that they lie in a tile.
+#[kernel(unchecked)]
+fn scatter_unchecked(to: &Field<u32, _>, counts: &mut Field<u32, _>) {
+    #[scatter(Colored, key = to[e] % 7)]
+    for e in to {
+        counts[to[e]] += 1;
+    }
+}
+
+#[test]
+fn promised_indices_may_lie_outside_of_tiles() {
+    let mut to = Field::<u32, Soa>::new([20_000]);
+    (0..20_000).for_each(|e| to.set(e, (e * 7919 % 30_000) as u32));
+    let mut counts = Field::<u32, Soa>::new([30_000]);
+    let schedule = Schedule { threads: 3, grain: 100, ..Schedule::default() };
+    // SAFETY: all are below 30,000.
+    schedule.run(|| unsafe { scatter_unchecked(&to, &mut counts) });
+    let mut expected = vec![0; 30_000];
+    to.iter().for_each(|at| expected[at as usize] += 1);
+    assert_eq!(counts.to_vec(), expected);
+}
+
+/// A field without bounds: tiles lie where the points are.
+#[test]
+fn unbounded_fields_have_tiles() {
+    let points = points::<Aos>(20_000, [200, 200]);
+    let mut dense = Field::<Node, Aos>::new([200, 200]);
+    let mut sparse = Field::<Node, layout!(hash(ij).dense(ij, 8).aos), Ij>::unbounded();
+    let serial = Schedule { scatter: Scatter::Serial, ..Schedule::default() };
+    let total = serial.run(|| spread(&points, &mut dense));
+    for scatter in [Scatter::Colored, Scatter::Auto] {
+        sparse.clear();
+        let schedule = Schedule { scatter, threads: 3, deterministic: true, grain: 64, ..Schedule::default() };
+        let found = schedule.run(|| spread(&points, &mut sparse));
+        assert!((found - total).abs() <= 1e-5 * total, "{found} is {total}");
+        for at in (0..200).flat_map(|i| (0..200).map(move |j| ivec2(i, j))) {
+            let (found, expected) = (sparse.get(at), dense.get(at));
+            assert_eq!((found.count, found.most), (expected.count, expected.most), "{scatter} at {at}");
+            assert!((found.mass - expected.mass).abs() <= 1e-5 * expected.mass, "{found:?} is {expected:?}");
+        }
+    }
+}
+
 /// An index beyond the field is no update to be kept for later.
 #[test]
 fn indices_beyond_the_field_panic() {

@@ -74,6 +74,12 @@ pub(super) fn report(finding: &Finding, diagnostics: &mut Diagnostics) -> bool {
             };
             error.note(note).help("write `#[scatter(Colored, key = cell(points.x[p]), reach = 2)]`");
         }
+        What::ScatterKey => {
+            diagnostics
+                .error(Code::ScatterAttribute, at, format!("a key only reads, and `{text}` does more"))
+                .note("keys are found before the loop runs, each by itself: nothing may change meanwhile")
+                .help("give the index alone, `key = cell(points.x[p])`, and leave the rest to the loop's body");
+        }
         What::ScatterReach => {
             diagnostics
                 .error(Code::ScatterAttribute, at, format!("`reach` is a whole number of cells, and `{text}` is none"))

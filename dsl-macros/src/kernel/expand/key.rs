@@ -1,12 +1,13 @@
 //! Where the iterations of a loop accumulate, found before they run.
 
-use proc_macro2::{Literal, TokenStream};
-use quote::{ToTokens, quote};
+use proc_macro2::TokenStream;
+use quote::quote;
 
 use super::captures;
 use super::launch::Launch;
 use super::names::{handle, hidden, label, private};
 use super::rewrite::{Rewrite, Scope};
+use super::unroll::array;
 use crate::kernel::key::{Key, Reach, Step};
 use crate::kernel::syntax::names;
 
@@ -59,12 +60,4 @@ impl Launch<'_> {
             })
         }
     }
-}
-
-fn array(offsets: &[i32]) -> TokenStream {
-    let offsets = offsets.iter().map(|offset| {
-        let (size, sign) = (Literal::u32_unsuffixed(offset.unsigned_abs()), (*offset < 0).then(|| quote!(-)));
-        quote!(#sign #size)
-    });
-    quote!([#(#offsets),*]).into_token_stream()
 }

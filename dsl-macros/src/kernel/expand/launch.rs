@@ -350,12 +350,12 @@ impl Launch<'_> {
         quote!(#(let #names = #private::NotAnAccess;)* let _ = (#(&#names,)*);)
     }
 
-    /// The field's handle where this job accumulates into the field: of its copy, perhaps.
+    /// What of a field this job may reach: of its copy, perhaps, where it accumulates.
     pub(super) fn accumulated(&self, field: usize) -> TokenStream {
         let handle = handle(&self.kernel.fields[field]);
         match self.plan.targets.iter().position(|(target, _)| *target == field) {
             Some(slot) => numbered("target", slot).into_token_stream(),
-            None => handle.into_token_stream(),
+            None => quote!(#handle.all()),
         }
     }
 

@@ -131,7 +131,7 @@ fn literal(value: i32, kind: &str) -> TokenStream {
     quote!(#sign #size)
 }
 
-fn array(values: &[i32]) -> TokenStream {
+pub(super) fn array(values: &[i32]) -> TokenStream {
     let values = values.iter().map(|value| {
         let size = Literal::u32_unsuffixed(value.unsigned_abs());
         let sign = (*value < 0).then(|| quote!(-));

@@ -14,7 +14,7 @@ use super::heads::{self, Unrolled};
 use super::jumps::Target;
 use super::scope::Kind;
 use super::{Lower, Mode};
-use crate::kernel::model::{Call, Head, Indices, InnerLoop, Loop, Node, Place, Spot, Topology, Unroll, What};
+use crate::kernel::model::{Action, Call, Head, Indices, InnerLoop, Loop, Node, Place, Spot, Topology, Unroll, What};
 use crate::kernel::syntax::{bare, integer, name_of, names, parts, plain_names};
 
 /// The language's attributes on a loop.
@@ -167,7 +167,16 @@ impl Lower {
             self.scopes.bind(variable, Kind::Value);
         }
         if let Some(mut key) = attributes.key {
+            let (spot, known) = (Spot::new(&key), self.kernel.nodes.len());
             self.visit_expr_mut(&mut key);
+            let reads = |node: &Node| match node {
+                Node::Access(access) => matches!(access.action, Action::Read),
+                Node::FieldCall(_) | Node::Macro(_) => true,
+                _ => false,
+            };
+            if !self.kernel.nodes[known..].iter().all(reads) {
+                self.find(What::ScatterKey, &spot.tokens);
+            }
             self.kernel.loops[number].key = Some(key);
         }
         self.visit_block_mut(&mut body);

@@ -673,6 +673,10 @@ fn keys_are_found_where_they_do_nothing_but_compute() {
         // What is called twice might be seen to be.
         "for a in p { g[m.cell(p.x[a])] += 1.0; }",
         "for a in p { let b = m.counter.fetch_add(1, Relaxed); g[(b, b)] += 1.0; }",
+        "for a in p { let b = random::<i32>() % n; g[(b, b)] += 1.0; }",
+        // What follows tells the type.
+        "for a in p { let b = 1 << q[a]; g[(b, 0)] += 1.0; f(b); }",
+        "for a in p { let b = 7; g[(b, b)] += 1.0; f(b); }",
         // Not at the top of the body, or not known before the loop runs.
         "for a in p { for b in 0..n { g[(b, b)] += 1.0; } }",
         "for a in p { let mut b = ivec2(0, 0); b.x = q[a]; g[b] += 1.0; }",

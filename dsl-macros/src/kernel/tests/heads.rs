@@ -113,10 +113,13 @@ fn scatter_names_a_schedule_of_a_parallel_loop() {
         "#[scatter(Colored, tile = 8)]",
         "#[scatter(Colored, reach = n)]",
         "#[scatter(Colored, reach = -1)]",
+        "#[scatter(Colored, key = { continue; a })]",
         "#[scatter = 1]",
     ] {
         body(&format!("{attribute} for a in q {{ p[n] += q[a]; }}"), &["A0115"]);
     }
+    // Nothing is accumulated, and nothing is to be sorted.
+    body("#[scatter(Colored, key = q[a] as i32)] for a in p { p[a] = q[a]; }", &[]);
     body("#[scatter(Atomic)] #[serial] for a in q { p[n] += q[a]; }", &["A0115"]);
     body("for a in q { #[scatter(Atomic)] for b in 0..3 { p[n] += q[a]; } }", &["A0115"]);
 }
