@@ -4,7 +4,7 @@
 use core::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
-use crate::launch::run_jobs;
+use crate::launch::{results_of_jobs, run_jobs};
 use crate::schedule::{Inside, Schedule};
 
 /// Records that one job takes.
@@ -31,13 +31,5 @@ pub(super) fn each_part<T: Send>(len: usize, work: impl Fn(Range<usize>) -> T + 
 
 /// The same with parts of another size.
 pub(crate) fn each_part_of<T: Send>(part_len: usize, len: usize, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
-    let parts = len.div_ceil(part_len);
-    let mut results: Vec<Mutex<Option<T>>> = Vec::new();
-    results.resize_with(parts, || Mutex::new(None));
-    run_jobs(threads(), parts, &|part| {
-        let result = work(part * part_len..len.min((part + 1) * part_len));
-        *results[part].lock().unwrap_or_else(PoisonError::into_inner) = Some(result);
-    });
-    let result = |slot: Mutex<Option<T>>| slot.into_inner().unwrap_or_else(PoisonError::into_inner);
-    results.into_iter().map(|slot| result(slot).expect("every part ran")).collect()
+    results_of_jobs(threads(), len.div_ceil(part_len), |part| work(part * part_len..len.min((part + 1) * part_len)))
 }

@@ -357,3 +357,14 @@ impl<Out> Slots<Out> {
 pub(crate) fn run_jobs(threads: usize, jobs: usize, job: &(dyn Fn(usize) + Sync)) {
     pool::run(threads, jobs, job);
 }
+
+/// Runs jobs on threads, and returns their results in order.
+pub(crate) fn results_of_jobs<T: Send>(threads: usize, jobs: usize, job: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let results: Vec<Mutex<Option<T>>> = (0..jobs).map(|_| Mutex::new(None)).collect();
+    run_jobs(threads, jobs, &|n| {
+        let result = job(n);
+        *results[n].lock().unwrap_or_else(PoisonError::into_inner) = Some(result);
+    });
+    let result = |slot: Mutex<Option<T>>| slot.into_inner().unwrap_or_else(PoisonError::into_inner);
+    results.into_iter().map(|slot| result(slot).expect("every job ran")).collect()
+}

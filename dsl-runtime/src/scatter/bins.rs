@@ -2,11 +2,10 @@
 
 use core::marker::PhantomData;
 use core::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Mutex, PoisonError};
 
 use super::tiles::Tiles;
 use crate::axes::{Axes, MAX_AXES, all};
-use crate::launch::{Cell, Space, run_jobs};
+use crate::launch::{Cell, Space, results_of_jobs, run_jobs};
 
 /// Neighbouring elements of a loop: the number of the first, and how many.
 #[doc(hidden)]
@@ -180,15 +179,12 @@ impl Bins {
         blocks: usize,
         keys: &(dyn Fn(usize, &mut Sink) + Sync),
     ) -> Self {
-        let lists: Vec<Mutex<Vec<Found>>> = (0..blocks).map(|_| Mutex::default()).collect();
-        run_jobs(threads, blocks, &|block| {
+        let lists = results_of_jobs(threads, blocks, |block| {
             let mut sink = Sink::new(space, tiles, false);
             keys(block, &mut sink);
             sink.close();
-            *lists[block].lock().unwrap_or_else(PoisonError::into_inner) = sink.found;
+            sink.found
         });
-        let lists: Vec<Vec<Found>> =
-            lists.into_iter().map(|list| list.into_inner().unwrap_or_else(PoisonError::into_inner)).collect();
         Self::sorted(*tiles, threads, &lists)
     }
 
@@ -197,15 +193,12 @@ impl Bins {
         // Neighbouring lists go together: the order does not depend on how many do.
         let groups = threads.min(lists.len()).max(1);
         let group = |g: usize| lists[lists.len() * g / groups..lists.len() * (g + 1) / groups].iter().flatten();
-        let counted: Vec<Mutex<Vec<u32>>> = (0..groups).map(|_| Mutex::default()).collect();
-        run_jobs(threads, groups, &|g| {
-            let mut counts = vec![0; count];
-            group(g).for_each(|found| counts[found.tile as usize] += 1);
-            *counted[g].lock().unwrap_or_else(PoisonError::into_inner) = counts;
-        });
         // From counts to where each group's pieces of each tile begin.
-        let mut begins: Vec<Vec<u32>> =
-            counted.into_iter().map(|counts| counts.into_inner().unwrap_or_else(PoisonError::into_inner)).collect();
+        let mut begins = results_of_jobs(threads, groups, |g| {
+            let mut counts = vec![0u32; count];
+            group(g).for_each(|found| counts[found.tile as usize] += 1);
+            counts
+        });
         let mut by_colour: Vec<Vec<Job>> = vec![Vec::new(); tiles.colours()];
         let mut next = 0;
         for tile in 0..count {
@@ -218,9 +211,8 @@ impl Bins {
             }
         }
         let pieces: Vec<PackedPiece> = (0..next).map(|_| PackedPiece::default()).collect();
-        let begins: Vec<Mutex<Vec<u32>>> = begins.into_iter().map(Mutex::new).collect();
         run_jobs(threads, groups, &|g| {
-            let mut begins = begins[g].lock().unwrap_or_else(PoisonError::into_inner);
+            let mut begins = begins[g].clone();
             for found in group(g) {
                 let place = &mut begins[found.tile as usize];
                 pieces[*place as usize].set(found.piece);
@@ -269,17 +261,14 @@ pub(super) fn span<S: Space>(
     blocks: usize,
     keys: &(dyn Fn(usize, &mut Sink) + Sync),
 ) -> Option<([i64; MAX_AXES], [i64; MAX_AXES])> {
-    let all = Mutex::new(([i64::MAX; MAX_AXES], [i64::MIN; MAX_AXES]));
-    run_jobs(threads, blocks, &|block| {
+    let spans = results_of_jobs(threads, blocks, |block| {
         let mut sink = Sink::new(space, tiles, true);
         keys(block, &mut sink);
-        let (low, high) = sink.span.unwrap_or_else(|| unreachable!("a sink that measures"));
-        let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
-        for a in 0..MAX_AXES {
-            all.0[a] = all.0[a].min(low[a]);
-            all.1[a] = all.1[a].max(high[a]);
-        }
+        sink.span
     });
-    let (low, high) = all.into_inner().unwrap_or_else(PoisonError::into_inner);
-    (low[0] <= high[0]).then_some((low, high))
+    let wider = |(low, high): ([i64; MAX_AXES], [i64; MAX_AXES]),
+                 (lower, higher): ([i64; MAX_AXES], [i64; MAX_AXES])| {
+        (core::array::from_fn(|a| low[a].min(lower[a])), core::array::from_fn(|a| high[a].max(higher[a])))
+    };
+    spans.into_iter().flatten().reduce(wider).filter(|(low, high)| low[0] <= high[0])
 }

@@ -2,7 +2,6 @@
 //! after another. What an element updates beyond its tile's window waits until all have run.
 
 use core::cell::RefCell;
-use std::sync::{Mutex, PoisonError};
 
 use super::bins::{Bins, Sink, span};
 use super::late::Late;
@@ -10,7 +9,7 @@ use super::share::Share;
 use super::tiles::Tiles;
 use super::{Scattered, Shares};
 use crate::axes::MAX_AXES;
-use crate::launch::{Space, Task, run_jobs};
+use crate::launch::{Space, Task, results_of_jobs};
 
 /// A field of so many cells an element may be empty for the most part: its tiles are cut where the keys are.
 const ROOMY: usize = 8;
@@ -115,9 +114,9 @@ impl Bins {
         targets: &[&dyn Scattered],
         run: &(dyn Fn(usize, &[Share<'_>]) + Sync),
     ) {
-        let strays: Mutex<Vec<(usize, Late)>> = Mutex::default();
+        let mut strays = Vec::new();
         for colour in self.colours() {
-            run_jobs(threads, colour.len(), &|n| {
+            let lates = results_of_jobs(threads, colour.len(), |n| {
                 let number = colour.start + n;
                 let (late, tile) = (RefCell::new(Late::default()), self.tile(number));
                 let share = |target: &&dyn Scattered| {
@@ -125,15 +124,11 @@ impl Bins {
                     Share { root: target.root(), window, late: Some(&late) }
                 };
                 run(number, Shares::new(targets.iter().map(share)).get());
-                let late = late.into_inner();
-                if !late.is_empty() {
-                    strays.lock().unwrap_or_else(PoisonError::into_inner).push((number, late));
-                }
+                late.into_inner()
             });
+            strays.extend(lates.into_iter().filter(|late| !late.is_empty()));
         }
-        let mut strays = strays.into_inner().unwrap_or_else(PoisonError::into_inner);
-        strays.sort_unstable_by_key(|(number, _)| *number);
-        for (_, late) in strays {
+        for late in strays {
             // SAFETY: no tile runs any more, and the updates were kept for these targets.
             unsafe { late.apply(targets) };
         }
