@@ -273,6 +273,29 @@
 //! assert_eq!(to.get(99), 2.0);
 //! ```
 //!
+//! # Rounding
+//!
+//! Every operation rounds as Rust's does, so that results are the same bits under each instruction set. `#[kernel(contract)]` lets a product that
+//! is added to something be rounded once with it: `a * b + c`, `c - a * b`, `sum += a * b`, of floats, their vectors and their matrices, written
+//! in a loop's own body, where the processor has an instruction for it. Results then differ in the last bits between instruction sets, and an operand of a type that is
+//! not `Copy` is refused.
+//!
+//! ```
+//! use allotrope::prelude::*;
+//!
+//! #[kernel(contract)]
+//! fn horner(x: &Field<f32, _>, y: &mut Field<f32, _>) {
+//!     for i in y {
+//!         y[i] = (0.5 * x[i] + 0.25) * x[i] + 1.0;
+//!     }
+//! }
+//!
+//! let x = Field::<f32, Aos>::new([8]);
+//! let mut y = Field::<f32, Aos>::new([8]);
+//! horner(&x, &mut y);
+//! assert_eq!(y.get(3), 1.0);
+//! ```
+//!
 //! # Schedules
 //!
 //! A [`Schedule`] says how launches run; results but for rounding do not depend on it. It holds for calls in a closure,
@@ -307,6 +330,7 @@ mod axes;
 #[cfg(doctest)]
 pub mod book;
 mod capture;
+mod contract;
 mod element;
 mod enumeration;
 pub mod errors;

@@ -1,5 +1,6 @@
 //! What the macros' expansions call. Nothing here is for users: it changes with the macros, whose version is locked.
 
+pub use crate::contract::{Contracted, FuseAny, FuseKnown};
 pub use crate::enumeration::Code;
 pub use crate::exchange::{
     compare_exchange, fetch_add, fetch_and, fetch_max, fetch_min, fetch_or, fetch_sub, fetch_xor, swap,

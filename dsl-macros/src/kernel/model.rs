@@ -19,8 +19,10 @@ const PLACEHOLDER: &str = "__allotrope_node";
 pub(crate) struct Kernel {
     /// The function, its body with placeholders.
     pub(crate) function: ItemFn,
-    /// The options in `#[kernel(..)]`.
-    pub(crate) options: TokenStream,
+    /// What stands in `#[kernel(..)]` and is no option.
+    pub(crate) unknown_options: Vec<TokenStream>,
+    /// Whether a product that is added to something may be rounded with it.
+    pub(crate) contract: bool,
     /// Whether callers promise that indices lie within their fields.
     pub(crate) unchecked: bool,
     /// The parameters that are fields.

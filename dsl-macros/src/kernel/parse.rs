@@ -1,6 +1,6 @@
 //! Tokens to syntax: the function, and which of its parameters are fields.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{TokenStream, TokenTree};
 use syn::{AttrStyle, FnArg, ItemFn, Pat, Type};
 
 use super::model::{FieldParam, Storage};
@@ -32,6 +32,33 @@ pub(super) fn parse(item: TokenStream, diagnostics: &mut Diagnostics) -> Option<
             None
         }
     }
+}
+
+/// What stands in `#[kernel(..)]`.
+#[derive(Default)]
+pub(super) struct Options {
+    /// `unchecked`.
+    pub(super) unchecked: bool,
+    /// `contract`.
+    pub(super) contract: bool,
+    /// Others, of which there are none.
+    pub(super) unknown: Vec<TokenStream>,
+}
+
+/// Takes options apart, between whose words commas stand.
+pub(super) fn options(tokens: TokenStream) -> Options {
+    let mut options = Options::default();
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    let comma = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ',');
+    for option in tokens.split(comma).filter(|option| !option.is_empty()) {
+        let option: TokenStream = option.iter().cloned().collect();
+        match option.to_string().as_str() {
+            "unchecked" => options.unchecked = true,
+            "contract" => options.contract = true,
+            _ => options.unknown.push(option),
+        }
+    }
+    options
 }
 
 /// The parameters that are fields taken by reference, or used as such, as far as their types tell.

@@ -19,8 +19,8 @@ use core::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 pub use reduction::{Partial, Reduction, Strip, reduction};
-pub(crate) use run::stay_scalar;
 pub use run::{Cell, Run};
+pub(crate) use run::{copies_rows, stay_scalar};
 pub use sieve::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, sifted};
 pub use space::{Space, interior, of_branch, over, range};
 pub(crate) use space::{any_in_blocks, is_in_blocks};
@@ -64,17 +64,22 @@ pub struct Task<'t, S> {
     fits: bool,
     atomic: bool,
     alone: bool,
+    /// Whether the body's version has instructions that add a product in one rounding.
+    fused: bool,
     /// Elements that are visited beside those of the units.
     pieces: &'t [PackedPiece],
     shares: &'t [Share<'t>],
     owner: PhantomData<*mut ()>,
 }
 
+/// How many pieces ahead elements are fetched: by then they have come from memory, and are not yet pushed out of the caches.
+const AHEAD: usize = 12;
+
 impl<'t, S: Space> Task<'t, S> {
     /// A task that accumulates into nothing.
     #[inline(always)]
     fn new(space: &'t S, units: Range<usize>, fits: bool, alone: bool) -> Self {
-        Self { space, units, fits, atomic: false, alone, pieces: &[], shares: &[], owner: PhantomData }
+        Self { space, units, fits, atomic: false, alone, fused: FUSED, pieces: &[], shares: &[], owner: PhantomData }
     }
 
     /// Visits the task's runs in memory order. Whole runs of blocks are written out: for small bodies.
@@ -102,6 +107,9 @@ impl<'t, S: Space> Task<'t, S> {
             );
             let Some((piece, others)) = rest.split_first() else { return };
             rest = others;
+            if let Some(ahead) = others.get(AHEAD) {
+                self.space.prefetch(ahead.get());
+            }
             space = self.space.part(piece.get());
             units = 0..space.units();
         }
@@ -116,6 +124,12 @@ impl<'t, S: Space> Task<'t, S> {
     #[inline(always)]
     pub(crate) fn atomic(&self) -> bool {
         self.atomic
+    }
+
+    /// Whether products that are added to something may be rounded with it.
+    #[inline(always)]
+    pub fn fused(&self) -> bool {
+        self.fused
     }
 
     /// Whether one thread runs the whole loop.
@@ -133,22 +147,28 @@ fn once<T>(body: &mut impl FnMut(T), at: T) {
     body(at);
 }
 
+/// Whether every processor of the architecture adds a product in one rounding.
+const FUSED: bool = cfg!(target_feature = "fma") || cfg!(target_arch = "aarch64");
+
 /// Body versions. In the plain ones `fits` holds and updates are plain, as constants; the careful one asks at run time. Builds with debug
 /// assertions, whose bodies are no part of the loops around them, have that one alone.
 mod versions {
-    use super::{Space, Task};
+    use super::{FUSED, Space, Task};
 
     #[inline(always)]
-    fn plain<const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(body: &F, task: Task<'_, S>) -> Out {
+    fn plain<const TILED: bool, const FUSED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
+        body: &F,
+        task: Task<'_, S>,
+    ) -> Out {
         let pieces = if TILED { task.pieces } else { &[] };
-        body(Task { pieces, fits: true, atomic: false, ..task })
+        body(Task { pieces, fits: true, atomic: false, fused: FUSED, ..task })
     }
 
     pub(super) fn baseline<const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
         body: &F,
         task: Task<'_, S>,
     ) -> Out {
-        plain::<TILED, S, Out, F>(body, task)
+        plain::<TILED, FUSED, S, Out, F>(body, task)
     }
 
     #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
@@ -157,7 +177,7 @@ mod versions {
         body: &F,
         task: Task<'_, S>,
     ) -> Out {
-        plain::<TILED, S, Out, F>(body, task)
+        plain::<TILED, true, S, Out, F>(body, task)
     }
 
     #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
@@ -166,14 +186,14 @@ mod versions {
         body: &F,
         task: Task<'_, S>,
     ) -> Out {
-        plain::<TILED, S, Out, F>(body, task)
+        plain::<TILED, true, S, Out, F>(body, task)
     }
 
     pub(super) fn careful<const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
         body: &F,
         task: Task<'_, S>,
     ) -> Out {
-        body(Task { pieces: if TILED { task.pieces } else { &[] }, ..task })
+        body(Task { pieces: if TILED { task.pieces } else { &[] }, fused: FUSED, ..task })
     }
 }
 
@@ -290,7 +310,7 @@ fn start<const CAREFUL: bool, const TILED: bool, S: Space, Out: Send, F: Fn(Task
     let part = |units| Task::new(space, units, options.fits, alone);
     let possible = key.filter(|key| TILED && key.is_possible(space, options.targets));
     let keys = |b: usize, sink: &mut Sink| key.into_iter().for_each(|key| (key.keys)(part(block(b)), sink));
-    let scattered = || possible.is_some_and(|key| key.is_scattered(space, options.targets, blocks, &keys));
+    let scattered = || possible.and_then(|key| key.scattered_over(space, options.targets, blocks, &keys));
     let tiled = possible.map(|key| Tiled { certain: key.certain, scattered: &scattered });
     let plan = scatter::plan(&options, &schedule, threads, elements, blocks, tiled);
     if plan.colored

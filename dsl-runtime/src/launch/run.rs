@@ -47,6 +47,15 @@ pub struct Cell<'r, S> {
 /// Runs that are not worth a vector loop of their own, with its checks, where they are cut.
 const SHORT: usize = 32;
 
+/// A run so long fills a vector register; where shorter ones are cut into head, middle and tail nothing is lost.
+const VECTOR: usize = 4;
+
+/// Whether rows that lead into other blocks along the run's axis are copied, in loops over such a space: its cells then need not ask where
+/// they stand, and a whole run is one vector loop.
+pub(crate) const fn copies_rows<S: Space>() -> bool {
+    S::RUN > 0 && S::RUN <= HELD && (S::SPARSE || S::RUN >= VECTOR)
+}
+
 /// Keeps the compiler from making a vector loop of the one that this stands in.
 #[inline(always)]
 pub(crate) fn stay_scalar() {
@@ -71,7 +80,7 @@ impl<S: Space> Run<'_, S> {
             for slot in 0..self.len {
                 once(&mut body, self.cell(slot, true));
             }
-        } else if const { S::SPARSE && S::RUN <= HELD } {
+        } else if const { copies_rows::<S>() } {
             // Rows that lead into other blocks are copied, so that all cells are alike.
             if self.whole {
                 for slot in 0..S::RUN {

@@ -48,6 +48,9 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
     fn origin(&self) -> [i32; MAX_AXES];
     /// Visits the runs of some units in memory order; `LIGHT` writes whole runs out apart from cut ones.
     fn visit<const LIGHT: bool>(&self, units: Range<usize>, fits: bool, run: impl FnMut(Run<'_, Self>));
+    /// Fetches what the first element of a piece holds into the caches, where that is worth it.
+    #[inline(always)]
+    fn prefetch(&self, _: Piece) {}
     /// The elements of a piece alone. Numbers count along the run axis first, then along the other axes, the last of them first.
     fn part(&self, piece: Piece) -> Self;
     /// The loop's variable at coordinates.
@@ -153,6 +156,21 @@ const fn same(a: &[Digit], b: &[Digit]) -> bool {
     true
 }
 
+/// The most members of an element that are fetched ahead.
+const MOST_FETCHED: usize = 8;
+
+/// Asks for a cache line.
+#[inline(always)]
+fn fetch(address: *const u8) {
+    #[cfg(all(target_arch = "x86_64", not(miri)))]
+    // SAFETY: a hint: nothing is read, and any address will do.
+    unsafe {
+        core::arch::x86_64::_mm_prefetch::<{ core::arch::x86_64::_MM_HINT_T0 }>(address.cast());
+    }
+    #[cfg(not(all(target_arch = "x86_64", not(miri))))]
+    let _ = address;
+}
+
 /// A box of a field, in the order of the memory of the branch that holds the path `P`.
 #[doc(hidden)]
 pub struct Cells<R, L, X, P> {
@@ -164,8 +182,10 @@ pub struct Cells<R, L, X, P> {
     /// The same in the root's cells.
     first_block: PerAxis,
     blocks: PerAxis,
-    /// The active elements, and the field's memory (sparse branches); else null.
+    /// The active elements (sparse branches; else null), and the field's memory.
     active: Active,
+    /// How the field lies in memory.
+    geometry: Geometry,
     /// Whether all active blocks lie in the box as a whole.
     pub(super) all_inside: bool,
     types: PhantomData<(Types<R, L>, Types<X, P>)>,
@@ -230,19 +250,21 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Chained<X> for Cells<R, L, X,
 
 impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
     fn new(geometry: Geometry, border: u32, active: Active) -> Self {
+        let branch = Map::<R, L, X>::geometry(&geometry, P::OFFSET);
         let mut this = Self {
-            origin: geometry.origin,
+            origin: branch.origin,
             first: [0; MAX_AXES],
             end: [1; MAX_AXES],
             first_block: [0; MAX_AXES],
             blocks: [1; MAX_AXES],
             active,
+            geometry,
             all_inside: true,
             types: PhantomData,
         };
         for axis in 0..X::RANK {
             let extent = const { &<Self as Space>::EXTENT }[axis] as u32;
-            let size = geometry.shape[axis];
+            let size = branch.shape[axis];
             let first = border.min(size);
             let end = size.saturating_sub(border).max(first);
             this.all_inside &= active.is_inside(axis, extent, first, end);
@@ -267,7 +289,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
         self.active.list()
     }
 
-    /// The field's memory (sparse branches).
+    /// The field's memory.
     #[inline(always)]
     pub(super) fn root(&self) -> *mut u8 {
         self.active.root
@@ -504,6 +526,19 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Space for Cells<R, L, X, P> {
     }
 
     #[inline(always)]
+    fn prefetch(&self, piece: Piece) {
+        // Elements of a line come from anywhere when they are sorted by another field's tiles; those of a box lie in rows of it.
+        if const { X::RANK != 1 || Self::SPARSE } {
+            return;
+        }
+        let place = per_axis(|a| if a == 0 { self.first[0].wrapping_add(piece.first) } else { 0 });
+        let members = const { <P::Value as Record>::Elements::MEMBERS.len() };
+        for m in P::OFFSET..P::OFFSET + members.min(MOST_FETCHED) {
+            fetch(self.active.root.wrapping_add(Map::<R, L, X>::offset(&self.geometry, m, place)));
+        }
+    }
+
+    #[inline(always)]
     fn part(&self, piece: Piece) -> Self {
         let axis = const { <Self as Space>::AXIS };
         let start = start_of::<X>(piece, axis, |a| (self.end[a] - self.first[a]) as usize);
@@ -558,9 +593,9 @@ pub fn of_branch<R: Record, L: Layout<X>, X: Axes, P: Path<R>, const WRITE: bool
     }
     let active = match const { Map::<R, L, X>::is_sparse(P::OFFSET) } {
         true => Active { list: Arc::as_ptr(&field.handle.actives(P::OFFSET)), root: field.handle.root },
-        false => Active { list: core::ptr::null(), root: NOWHERE },
+        false => Active { list: core::ptr::null(), root: field.handle.root },
     };
-    Cells::new(Map::<R, L, X>::geometry(&field.handle.geometry, P::OFFSET), width, active)
+    Cells::new(field.handle.geometry, width, active)
 }
 
 /// A box of integers, its last axis fastest.

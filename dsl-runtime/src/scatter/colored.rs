@@ -59,22 +59,25 @@ impl<S: Space> Key<'_, S> {
         S::DIVISIBLE && rank > 0 && targets.iter().all(|t| t.rank() == rank) && u32::try_from(space.elements()).is_ok()
     }
 
-    /// Whether neighbouring elements of a loop of so many blocks accumulate far from each other, as some of the blocks tell.
-    pub(crate) fn is_scattered(
+    /// In how large a box, in cells, a loop of so many blocks accumulates, if neighbouring elements do far from each other, as some of the blocks tell.
+    pub(crate) fn scattered_over(
         &self,
         space: &S,
         targets: &[&dyn Scattered],
         blocks: usize,
         keys: &(dyn Fn(usize, &mut Sink) + Sync),
-    ) -> bool {
+    ) -> Option<usize> {
         if blocks < SAMPLED {
-            return false;
+            return None;
         }
         let asked = [1, 3, 5, 7].map(|n| blocks * n / 8);
-        let tiles = self.tiles(space, targets, 1, asked.len(), &|n, sink| keys(asked[n], sink));
+        let keys = |n: usize, sink: &mut Sink| keys(asked[n], sink);
+        let tiles = self.tiles(space, targets, 1, asked.len(), &keys);
         let mut sink = Sink::new(space, &tiles, false);
-        asked.into_iter().for_each(|block| keys(block, &mut sink));
-        sink.is_scattered()
+        (0..asked.len()).for_each(|n| keys(n, &mut sink));
+        let (low, high) = sink.is_scattered().then(|| span(space, &tiles, 1, asked.len(), &keys))??;
+        let extents = low.iter().zip(&high).take(targets[self.slot].rank());
+        Some(extents.map(|(low, high)| (high - low) as usize + 1).fold(1, usize::saturating_mul))
     }
 
     /// The tiles for a loop of so many blocks, whose keys `keys` finds.

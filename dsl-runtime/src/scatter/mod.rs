@@ -49,8 +49,8 @@ pub(crate) struct Plan {
 pub(crate) struct Tiled<'a> {
     /// Whether all of its updates are known to lie around there.
     pub(crate) certain: bool,
-    /// Whether neighbouring elements accumulate far from each other.
-    pub(crate) scattered: &'a dyn Fn() -> bool,
+    /// In how large a box, in cells, elements accumulate, where neighbouring ones do far from each other.
+    pub(crate) scattered: &'a dyn Fn() -> Option<usize>,
 }
 
 /// Decides how a launch runs.
@@ -94,7 +94,7 @@ pub(crate) fn plan(
         Scatter::Atomic => atomic,
         Scatter::Auto => {
             let alone = threads == 1 && !schedule.deterministic;
-            if !alone && tiles.is_some_and(|tiled| suits_tiles(options.targets, tiled, elements, jobs)) {
+            if tiles.is_some_and(|tiled| suits_tiles(options.targets, tiled, elements, if alone { 1 } else { jobs })) {
                 return colored;
             }
             // Copying and combining costs a few operations a cell, an element of the loop some tens.
@@ -113,18 +113,22 @@ pub(crate) fn plan(
     }
 }
 
-/// Whether tiles cost less than so many copies, as far as it is known before they are sorted.
+/// Whether tiles cost less than so many copies, or for one than plain updates, as far as it is known before they are sorted.
 ///
 /// To find and sort keys costs about twice as much an element as to combine a copy does a cell, when neighbouring elements go together. When
-/// they do not, elements are fetched one by one, which is less than to fetch the cells so only where these lie in no cache.
+/// they do not, what they update is best visited tile by tile, unless it lies in the caches anyway: of one thread, which has them for itself, more does.
 fn suits_tiles(targets: &[&dyn Scattered], tiled: Tiled<'_>, elements: usize, jobs: usize) -> bool {
     let sum = |of: fn(&&dyn Scattered) -> usize| targets.iter().map(of).fold(0, usize::saturating_add);
-    let cells = sum(|t| t.cells()).saturating_mul(jobs - 1);
-    tiled.certain
-        && match (tiled.scattered)() {
-            true => sum(|t| t.bytes()) > CACHED,
-            false => elements.saturating_mul(2) < cells,
-        }
+    let (cells, bytes) = (sum(|t| t.cells()), sum(|t| t.bytes()));
+    let cached = if jobs > 1 { CACHED } else { 4 * CACHED };
+    let together = jobs > 1 && elements.saturating_mul(2) < cells.saturating_mul(jobs - 1);
+    if !tiled.certain || !together && bytes <= cached {
+        return false;
+    }
+    match (tiled.scattered)() {
+        Some(span) => bytes as f64 * (span as f64 / cells as f64).min(1.0) > cached as f64,
+        None => together,
+    }
 }
 
 /// Runs all blocks as planned. `block` is called once with each number and what its job accumulates into.

@@ -8,7 +8,7 @@ use super::Site;
 use crate::axes::{Axes, MAX_AXES, per_axis, sum};
 use crate::field::Handle;
 use crate::index::inside;
-use crate::launch::{Cell as RunCell, Run, Space, any_in_blocks, is_in_blocks, stay_scalar};
+use crate::launch::{Cell as RunCell, Run, Space, any_in_blocks, copies_rows, is_in_blocks, stay_scalar};
 use crate::layout::{Block, Chain, Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record};
 
@@ -224,9 +224,8 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
         brick.wrapping_add(self.start.addr()).wrapping_add(term)
     }
 
-    /// Whether rows are copied that lead into other blocks along the run's axis: in loops over sparse fields, whose cells then need not
-    /// ask where they stand.
-    const COPIED: bool = S::SPARSE && S::RUN <= HELD && matches!(Self::KIND, Kind::Blocks);
+    /// Whether rows are copied that lead into other blocks along the run's axis.
+    const COPIED: bool = copies_rows::<S>() && matches!(Self::KIND, Kind::Blocks);
 
     /// Whether this row is copied.
     #[inline(always)]

@@ -2,6 +2,7 @@
 //! threads.
 
 mod conjugate_gradient;
+mod contract;
 mod elasticity;
 mod mpm;
 mod multigrid;

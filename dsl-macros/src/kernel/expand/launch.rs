@@ -10,7 +10,7 @@ use syn::Expr;
 
 use super::names::{self, Ends, handle, hidden, label, numbered, paths, plain, private, span};
 use super::rewrite::{Rewrite, Scope};
-use super::{captures, reductions};
+use super::{captures, contract, reductions};
 use crate::kernel::access::{Plan, View, plan};
 use crate::kernel::key;
 use crate::kernel::model::{Boundary, Branch, Call, Capture, Group, Head, Kernel, Loop, Sieve};
@@ -93,6 +93,7 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
     };
     let key = key.map(|key| quote!(#key,));
     let copies = launch.copies();
+    let contract = kernel.contract.then(|| contract::prepare(&task));
     let (hide, settles) = (launch.hide_fields(), launch.settles());
     let targets = launch.targets();
     let any_views = launch.any_views(&|_| true);
@@ -128,6 +129,7 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
             #assert_shared
             #wraps
             #outs #private::#entry(&#space, #options, #key #[inline(always)] |#task| {
+                #contract
                 #copies
                 #hold
                 #hide

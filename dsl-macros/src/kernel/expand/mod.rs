@@ -2,6 +2,7 @@
 
 mod boxes;
 mod captures;
+mod contract;
 mod host;
 mod key;
 mod launch;

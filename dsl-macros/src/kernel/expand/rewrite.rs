@@ -8,7 +8,7 @@ use syn::{Block, Expr, Pat, Stmt, Type};
 
 use super::launch::Launch;
 use super::names::{Ends, label, private};
-use super::{host, launch, unroll, views};
+use super::{contract, host, launch, unroll, views};
 use crate::kernel::model::{Head, Indices, Jump, Kernel, MacroArguments, MacroCall, Node, Projection, Sieve, node_of};
 use crate::kernel::syntax::name_of;
 
@@ -46,6 +46,11 @@ impl Rewrite<'_> {
         let mut expr = expr.clone();
         Visitor(*self).visit_expr_mut(&mut expr);
         expr.into_token_stream()
+    }
+
+    /// Whether products that are added to something are rounded once here.
+    pub(super) fn contracts(&self) -> bool {
+        self.kernel.contract && matches!(self.scope, Scope::Parallel(_))
     }
 
     /// The steps from a value to a part of it.
@@ -201,6 +206,11 @@ impl VisitMut for Visitor<'_> {
             return;
         }
         visit_mut::visit_expr_mut(self, expr);
+        if self.0.contracts()
+            && let Some(contracted) = contract::rewritten(expr)
+        {
+            *expr = Expr::Verbatim(contracted);
+        }
     }
 
     fn visit_stmt_mut(&mut self, statement: &mut Stmt) {

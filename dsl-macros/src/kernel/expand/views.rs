@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
+use super::contract::{self, Meeting};
 use super::launch::Launch;
 use super::names::{Ends, handle, hidden, private, span, unchecked};
 use super::reductions::kind;
@@ -65,7 +66,9 @@ pub(super) fn access(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, ac
         return ends.call(&view, "set", quote!(#places, #value));
     }
     let (new, target) = (hidden("value"), hidden("target"));
-    let change = change(rewrite, &access.action, &target, &new, span(&access.spot.tokens));
+    let contracted = contracted_update(rewrite, &access.action, &target, &new, span(&access.spot.tokens));
+    let (value, change) = contracted
+        .unwrap_or_else(|| (value, change(rewrite, &access.action, &target, &new, span(&access.spot.tokens))));
     let (bind, places) = bound_places(&planned.view, &places);
     let read = ends.call(&view, "get", places.clone());
     let write = ends.call(&view, "set", quote!(#places, #target));
@@ -76,6 +79,27 @@ pub(super) fn access(rewrite: &Rewrite<'_>, launch: &Launch<'_>, node: usize, ac
         #change
         #write;
     })
+}
+
+/// The factors of a product that an element of a loop's own is updated by, and the update of its copy in one rounding.
+fn contracted_update(
+    rewrite: &Rewrite<'_>,
+    action: &Action,
+    target: &Ident,
+    value: &Ident,
+    span: Span,
+) -> Option<(TokenStream, TokenStream)> {
+    let Action::Update { part, op, value: written } = action else { return None };
+    let meeting = match op {
+        Op::Add => Meeting::Plus { last: false },
+        Op::Sub => Meeting::From,
+        _ => return None,
+    };
+    let (a, b) = contract::product(written).filter(|_| rewrite.contracts())?;
+    let (a, b, part) = (rewrite.expr(a), rewrite.expr(b), rewrite.part(part));
+    let place = quote!(#target #part);
+    let sum = contract::contracted(quote!(#value.0), quote!(#value.1), place.clone(), meeting, span);
+    Some((quote!((#a, #b)), quote!(#place = #sum;)))
 }
 
 /// Reads, writes or exchanges an element where iterations may meet.

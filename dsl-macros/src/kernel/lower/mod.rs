@@ -51,11 +51,12 @@ pub(super) fn lower_on_one_thread(function: ItemFn) -> Kernel {
 fn walk(mut function: ItemFn, options: TokenStream, mode: Mode) -> Kernel {
     let fields = parse::fields(&function);
     let mut body = mem::replace(&mut *function.block, Block { brace_token: Default::default(), stmts: Vec::new() });
-    let unchecked = options.to_string() == "unchecked";
+    let options = parse::options(options);
     let kernel = Kernel {
         function,
-        unchecked,
-        options,
+        unchecked: options.unchecked,
+        contract: options.contract,
+        unknown_options: options.unknown,
         fields,
         nodes: Vec::new(),
         loops: Vec::new(),
