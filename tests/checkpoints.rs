@@ -215,8 +215,8 @@ fn what_is_no_checkpoint_is_refused() {
         (with("{"), "has a faulty `checkpoint.json`: "),
         (with(&header.replace("\"layout\"", "\"lay\"")), "has a faulty `checkpoint.json`: missing field `layout`"),
         (
-            with(&header.replace("\"format\": 1", "\"format\": 2")),
-            "does not fit: `format` is 1 here and 2 there; go on with the program that wrote it",
+            with(&header.replace("\"format\": 2", "\"format\": 3")),
+            "does not fit: `format` is 2 here and 3 there; go on with the program that wrote it",
         ),
         (
             with(&header.replace(&version, "\"version\": \"0.0.9\"")),

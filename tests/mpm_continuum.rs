@@ -131,7 +131,7 @@ fn a_saved_state_goes_on_as_the_first_would_have() {
     let scenes = [
         varied("mpm88", &["reorder=7"]),
         varied("bunny", &["grid=32", "dt=6e-4"]),
-        varied("three-materials", &["reorder=7"]),
+        varied("three-materials", &["reorder=\"auto\""]),
         varied("disks", &["transfer.scheme=flip", "reorder=5"]),
         varied("disks", &["transfer.scheme=polypic", "transfer.modes=4"]),
         varied("snowball", &["grid=[32, 24, 16]", "dt=4e-4"]),

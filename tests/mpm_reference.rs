@@ -3,6 +3,7 @@
 mod support;
 
 use allotrope::prelude::*;
+use allotrope_solvers::scene::Reorder;
 use support::*;
 
 /// After so many steps every coordinate is within this of the reference.
@@ -58,7 +59,7 @@ fn the_first_step_is_the_references_too() {
 #[test]
 fn sorting_changes_neither_order_nor_state() {
     let mut sorted = mpm88();
-    sorted.reorder = 7;
+    sorted.reorder = Reorder::Every(7);
     for layout in layouts() {
         let mut fluid = build(&sorted, layout);
         advance(&mut *fluid, Schedule::default(), 100);

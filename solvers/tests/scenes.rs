@@ -7,7 +7,7 @@ mod refused;
 #[path = "scenes/sources.rs"]
 mod sources;
 
-use allotrope_solvers::scene::Folder;
+use allotrope_solvers::scene::{Folder, Reorder};
 use allotrope_solvers::{Scene, solver};
 
 const GOOD: &str = r#"
@@ -58,7 +58,7 @@ fn fault(piece: &str, by: &str) -> String {
 fn a_scene_is_read() {
     let scene = parse(GOOD).unwrap();
     assert_eq!((scene.grid, scene.dimensions, scene.dx()), ([64, 32, 1], 2, 2.0 / 64.0));
-    assert_eq!((scene.spacing, scene.wall, scene.reorder, scene.steps), (0.5, 3, 0, 1000));
+    assert_eq!((scene.spacing, scene.wall, scene.reorder, scene.steps), (0.5, 3, Reorder::Never, 1000));
     assert_eq!(scene.extent(), [2.0, 1.0, 0.0]);
     let particles = scene.particles().unwrap();
     // 0.5 x 0.25 at a spacing of 1/64, and a disk of radius 0.2 at the same.
@@ -69,6 +69,16 @@ fn a_scene_is_read() {
     let (x, v, c) = (particles.x[600], particles.v[600], particles.c[600]);
     assert!((v[0] + 3.0 * (x[1] - 0.5)).abs() < 1e-12 && (v[1] + 2.0 - 3.0 * (x[0] - 1.5)).abs() < 1e-12);
     assert_eq!(c, [[0.0, -3.0, 0.0], [3.0, 0.0, 0.0], [0.0; 3]]);
+}
+
+#[test]
+fn particles_are_sorted_when_the_scene_says() {
+    let reorder = |value: &str| parse(&format!("reorder = {value}\n{GOOD}")).map(|scene| scene.reorder);
+    assert_eq!(reorder("0"), Ok(Reorder::Never));
+    assert_eq!(reorder("32"), Ok(Reorder::Every(32)));
+    assert_eq!(reorder("\"auto\""), Ok(Reorder::Decayed));
+    let wrong = "`reorder = \"often\"` is no number of steps, 0 for never, or \"auto\"";
+    assert_eq!(reorder("\"often\""), Err(format!("scene `test.toml`: {wrong}")));
 }
 
 #[test]

@@ -13,7 +13,7 @@ use super::output;
 use super::run::Export;
 
 /// The version of what this module writes.
-pub const FORMAT: u32 = 1;
+pub const FORMAT: u32 = 2;
 
 /// The name of a checkpoint in the folder of its run.
 pub const FILE: &str = "checkpoint.npz";
@@ -49,8 +49,8 @@ pub struct Header {
 /// What was asked for, so that the run goes on to the same end.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Planned {
-    /// Steps after which particles are sorted; zero: never.
-    pub reorder: u64,
+    /// When particles are sorted: steps, 0 for never, or `auto`.
+    pub reorder: String,
     /// Steps to take, from the start on.
     pub steps: u64,
     /// Steps from one frame to the next.

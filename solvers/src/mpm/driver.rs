@@ -3,7 +3,8 @@
 use std::time::{Duration, Instant};
 
 use super::medium::{Medium, Particle};
-use crate::scene::{Particles, Scene, Spline, place};
+use super::order::Order;
+use crate::scene::{Particles, Reorder, Scene, Spline, place};
 use crate::{Array, Energy, SceneError, Simulation, State, StepError, Totals};
 
 // Places in `kernel_names`; sorting comes last.
@@ -18,6 +19,7 @@ pub(super) struct Driver<M: Medium> {
     scene: Scene,
     /// For each place in memory, which particle of the scene lies there.
     identity: Vec<u32>,
+    order: Order,
     steps: u64,
 }
 
@@ -25,7 +27,24 @@ impl<M: Medium> Driver<M> {
     pub(super) fn new(scene: &Scene, particles: &Particles) -> Result<Self, SceneError> {
         let medium = M::new(scene, particles).map_err(|fault| SceneError::memory(&*scene.file, fault))?;
         let identity = (0..particles.x.len() as u32).collect();
-        Ok(Self { medium, scene: scene.clone(), identity, steps: 0 })
+        Ok(Self { medium, scene: scene.clone(), identity, order: Order::default(), steps: 0 })
+    }
+
+    /// Whether the particles are to be sorted before the next step.
+    fn is_sorted_now(&mut self) -> bool {
+        match self.scene.reorder {
+            Reorder::Never => false,
+            Reorder::Every(steps) => self.steps.is_multiple_of(steps),
+            Reorder::Decayed => self.order.has_decayed(self.steps, self.medium.len(), |place| self.medium.cell(place)),
+        }
+    }
+
+    fn sort(&mut self) {
+        let order = self.medium.reorder();
+        self.identity = order.old_places().iter().map(|&old| self.identity[old as usize]).collect();
+        if self.scene.reorder == Reorder::Decayed {
+            self.order.renew(self.medium.len(), |place| self.medium.cell(place));
+        }
     }
 
     fn particle(&self, place: usize) -> Particle {
@@ -76,7 +95,7 @@ impl<M: Medium> Driver<M> {
 
 impl<M: Medium> Simulation for Driver<M> {
     fn kernel_names(&self) -> &'static [&'static str] {
-        match (M::DEFORMS, self.scene.reorder != 0) {
+        match (M::DEFORMS, self.scene.reorder != Reorder::Never) {
             (false, false) => &["scatter", "grid", "gather"],
             (false, true) => &["scatter", "grid", "gather", "sort"],
             (true, false) => &["scatter", "grid", "gather", "material"],
@@ -91,9 +110,10 @@ impl<M: Medium> Simulation for Driver<M> {
             spent[kernel] += now - last;
             last = now;
         };
-        if self.scene.reorder != 0 && self.steps.is_multiple_of(self.scene.reorder) {
-            let order = self.medium.reorder();
-            self.identity = order.old_places().iter().map(|&old| self.identity[old as usize]).collect();
+        if self.is_sorted_now() {
+            self.sort();
+        }
+        if self.scene.reorder != Reorder::Never {
             lap(sort);
         }
         self.medium.clear();
@@ -195,6 +215,7 @@ impl<M: Medium> Simulation for Driver<M> {
     fn save(&self) -> State {
         let mut arrays = self.medium.members();
         arrays.push(Array::whole("identity", self.identity.clone()));
+        arrays.push(self.order.save());
         State { steps: self.steps, arrays }
     }
 
@@ -205,8 +226,10 @@ impl<M: Medium> Simulation for Driver<M> {
         if !sorted.iter().copied().eq(0..identity.len() as u32) {
             return Err("array `identity` does not name each particle once".into());
         }
+        let order = Order::restore(state)?;
         self.medium.set_members(state)?;
         self.identity.copy_from_slice(identity);
+        self.order = order;
         self.steps = state.steps;
         Ok(())
     }

@@ -35,6 +35,9 @@ pub(super) trait Medium: Send + Sized {
     /// none.
     fn broken(&self) -> u32;
 
+    /// The first node of those around the particle at a place.
+    fn cell(&self, place: usize) -> IVec3;
+
     /// Sorts the particles by cell.
     fn reorder(&mut self) -> Permutation;
 

@@ -32,6 +32,7 @@ mod layouts;
 pub mod materials;
 mod medium;
 pub mod obstacles;
+pub mod order;
 mod scenes;
 mod stability;
 

@@ -2,7 +2,7 @@
 
 use toml::{Table, Value};
 
-use super::SceneError;
+use super::{Reorder, SceneError};
 use crate::nearest::hint;
 
 /// A table whose keys are known.
@@ -124,6 +124,15 @@ impl<'a> Keys<'a> {
             Value::Integer(n) if (least..=most).contains(n) => Ok(*n),
             Value::Integer(n) => Err(self.fault(key, format!("holds {n}, which is not from {least} to {most}"))),
             other => Err(self.fault(key, format!("is {}, where a whole number is wanted", kind(other)))),
+        }
+    }
+
+    /// A number of steps, or `"auto"`.
+    pub(super) fn reorder(&self, key: &str) -> Result<Option<Reorder>, SceneError> {
+        match self.table.get(key) {
+            Some(Value::String(text)) if text == "auto" => Ok(Some(Reorder::Decayed)),
+            Some(Value::String(_)) => Err(self.fault(key, "is no number of steps, 0 for never, or \"auto\"")),
+            _ => Ok(self.whole(key, 0, i64::MAX)?.map(|steps| Reorder::every(steps as u64))),
         }
     }
 

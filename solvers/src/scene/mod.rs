@@ -10,6 +10,7 @@ mod keys;
 mod material;
 mod memory;
 mod region;
+mod reorder;
 mod sizes;
 mod sources;
 mod transfer;
@@ -24,6 +25,7 @@ pub use folder::Folder;
 use keys::Keys;
 pub use material::Material;
 pub use memory::available_memory;
+pub use reorder::Reorder;
 use sources::Sources;
 pub use transfer::{Forces, Scheme, Spline, Transfer};
 
@@ -73,8 +75,8 @@ pub struct Scene {
     pub camera: CameraPlace,
     /// Of the generators of random numbers of all bodies that have none of their own.
     pub seed: u64,
-    /// Steps after which the particles are sorted by cell; zero: never.
-    pub reorder: u64,
+    /// When the particles are sorted by cell.
+    pub reorder: Reorder,
     /// Steps that a run takes if none are asked for.
     pub steps: u64,
     /// What it holds.
@@ -214,7 +216,7 @@ impl Scene {
                 .collect::<Result<_, _>>()?,
             camera: camera.map(|keys| CameraPlace::read(&keys)).transpose()?.unwrap_or_default(),
             seed,
-            reorder: keys.whole("reorder", 0, i64::MAX)?.unwrap_or(0) as u64,
+            reorder: keys.reorder("reorder")?.unwrap_or_default(),
             steps: keys.whole("steps", 1, i64::MAX)?.unwrap_or(1000) as u64,
             bodies: keys
                 .all_tables("body")?

@@ -15,15 +15,12 @@ use super::errors::LabError;
 use super::machine::{self, NamedSchedule};
 use super::output;
 use super::statistics::{median, spread};
-use report::six_digits;
+pub(super) use report::six_digits;
 pub use report::{Kernels, Report, Row};
 use text::{About, text};
 
 /// Repetitions, if there are steps enough.
 const REPETITIONS: u64 = 11;
-
-/// Repetitions at least, where each must be long enough for its share of sorts.
-const LEAST_REPETITIONS: u64 = 5;
 
 /// What is to be compared.
 #[derive(Debug)]
@@ -50,21 +47,38 @@ struct Contender {
     named: NamedSchedule,
     schedule: Schedule,
     simulation: Box<dyn Simulation>,
-    /// Milliseconds a step of each repetition.
+    /// Milliseconds a step of each repetition, without sorting.
     samples: Vec<f64>,
     /// The same in each kernel.
     kernels: Vec<Vec<f64>>,
+    /// Steps that were taken, also before the first repetition.
+    taken: u64,
+    /// The time that sorting took in them: sorts are rare, so that it is spread over all.
+    sorting: Duration,
 }
 
+/// The part of a step that most steps do not have.
+const SORT: &str = "sort";
+
 impl Contender {
-    /// Takes some steps; gives their time, and that in each kernel.
+    /// Takes some steps; gives their time, and that in each kernel, without sorting.
     fn advance(&mut self, steps: u64) -> Result<(Duration, Vec<Duration>), LabError> {
-        let Self { simulation, schedule, layout, named, .. } = self;
+        let Self { simulation, schedule, layout, named, taken, sorting, .. } = self;
         let mut spent = vec![Duration::ZERO; simulation.kernel_names().len()];
         let start = Instant::now();
         let done = schedule.run(|| (0..steps).try_for_each(|_| simulation.step_timed(&mut spent)));
         done.map_err(|error| LabError::failure(format!("{layout} with schedule {}: {error}", named.name)))?;
-        Ok((start.elapsed(), spent))
+        let elapsed = start.elapsed();
+        let sort = simulation.kernel_names().iter().position(|&name| name == SORT);
+        let sorted = sort.map_or(Duration::ZERO, |sort| std::mem::take(&mut spent[sort]));
+        *taken += steps;
+        *sorting += sorted;
+        Ok((elapsed.saturating_sub(sorted), spent))
+    }
+
+    /// Milliseconds of sorting a step.
+    fn sorting(&self) -> f64 {
+        self.sorting.as_secs_f64() * 1e3 / self.taken.max(1) as f64
     }
 
     /// Takes some steps as one repetition.
@@ -105,7 +119,16 @@ fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
             let simulation = (plan.solver.build)(&plan.scene, layout)?;
             let kernels = vec![Vec::new(); simulation.kernel_names().len()];
             let schedule = named.with_threads(plan.threads);
-            contenders.push(Contender { layout, named, schedule, simulation, samples: Vec::new(), kernels });
+            contenders.push(Contender {
+                layout,
+                named,
+                schedule,
+                simulation,
+                samples: Vec::new(),
+                kernels,
+                taken: 0,
+                sorting: Duration::ZERO,
+            });
         }
     }
 
@@ -119,7 +142,7 @@ fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
     }
     let agreement = verify(&contenders, verified)?;
 
-    let pieces = pieces(warm.as_secs_f64() / verified as f64, plan.steps, plan.scene.reorder);
+    let pieces = pieces(warm.as_secs_f64() / verified as f64, plan.steps);
     let (repetitions, steps) = (pieces.len() as u64, pieces.iter().sum());
     let style = ProgressStyle::with_template("{bar:40} repetition {pos}/{len}, {eta} left");
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
@@ -152,11 +175,14 @@ fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
 fn row(contender: &Contender, reference: &[[f64; 3]]) -> Row {
     let Contender { layout, named, simulation, samples, kernels, .. } = contender;
     let names = simulation.kernel_names().iter().map(|name| name.to_string());
-    let times = kernels.iter().map(|samples| six_digits(median(samples)));
+    let times = kernels
+        .iter()
+        .zip(simulation.kernel_names())
+        .map(|(samples, &name)| six_digits(if name == SORT { contender.sorting() } else { median(samples) }));
     Row {
         layout: layout.to_string(),
         schedule: named.name.to_string(),
-        ms_per_step: six_digits(median(samples)),
+        ms_per_step: six_digits(median(samples) + contender.sorting()),
         spread: six_digits(spread(samples)),
         kernels: Kernels(names.zip(times).collect()),
         bytes: simulation.bytes(),
@@ -165,24 +191,11 @@ fn row(contender: &Contender, reference: &[[f64; 3]]) -> Row {
 }
 
 /// The steps of each repetition, where a step of all contenders takes `each` seconds: as many as are asked for, or what
-/// takes about 20 seconds. Where particles are sorted every so many steps, each repetition has whole such rounds, so
-/// that it has its share of sorts.
-fn pieces(each: f64, asked: Option<u64>, reorder: u64) -> Vec<u64> {
-    let sorted = reorder > 1 && asked.is_none_or(|steps| steps >= reorder);
-    let round = if sorted { reorder } else { 1 };
-    let affordable = || {
-        let least = if sorted { LEAST_REPETITIONS } else { REPETITIONS };
-        ((20.0 / each) as u64 / round).min(1100 / round).max(least) * round
-    };
-    let steps = asked.unwrap_or_else(affordable);
-    let rounds = steps / round;
-    let repetitions = REPETITIONS.min(rounds);
-    let mut pieces: Vec<u64> =
-        (0..repetitions).map(|n| (rounds * (n + 1) / repetitions - rounds * n / repetitions) * round).collect();
-    if let Some(last) = pieces.last_mut() {
-        *last += steps % round;
-    }
-    pieces
+/// takes about 20 seconds.
+fn pieces(each: f64, asked: Option<u64>) -> Vec<u64> {
+    let steps = asked.unwrap_or_else(|| ((20.0 / each) as u64).clamp(REPETITIONS, 1100));
+    let repetitions = REPETITIONS.min(steps);
+    (0..repetitions).map(|n| steps * (n + 1) / repetitions - steps * n / repetitions).collect()
 }
 
 /// Steps after which the states are compared: 100, fewer where a step is long, and no more than are asked for.
@@ -249,14 +262,11 @@ mod tests {
     }
 
     #[test]
-    fn repetitions_take_the_steps_asked_for_in_whole_rounds() {
-        assert_eq!(pieces(1.0, Some(25), 0), [2, 2, 2, 3, 2, 2, 2, 3, 2, 2, 3]);
-        assert_eq!(pieces(1.0, Some(3), 0), [1, 1, 1]);
-        assert_eq!(pieces(1.0, Some(3), 32), [1, 1, 1]);
-        assert_eq!(pieces(1.0, Some(70), 32), [32, 38]);
-        assert_eq!(pieces(1.0, None, 32), [32; 5]);
-        assert_eq!(pieces(10.0, None, 0), [1; 11]);
-        assert_eq!(pieces(1e-6, None, 0), [100; 11]);
-        assert_eq!(pieces(1e-6, None, 32).iter().sum::<u64>(), 34 * 32);
+    fn repetitions_take_the_steps_asked_for() {
+        assert_eq!(pieces(1.0, Some(25)), [2, 2, 2, 3, 2, 2, 2, 3, 2, 2, 3]);
+        assert_eq!(pieces(1.0, Some(3)), [1, 1, 1]);
+        assert_eq!(pieces(1.0, None), [1, 2, 2, 2, 2, 1, 2, 2, 2, 2, 2]);
+        assert_eq!(pieces(10.0, None), [1; 11]);
+        assert_eq!(pieces(1e-6, None), [100; 11]);
     }
 }

@@ -63,7 +63,7 @@ impl Serialize for Kernels {
 }
 
 /// Rounded to six digits: more are noise, and make the line unreadable.
-pub(super) fn six_digits(value: f64) -> f64 {
+pub(in crate::lab) fn six_digits(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 

@@ -50,7 +50,7 @@ pub struct RunArguments {
     /// The layout, particles+grid [default: the first that fits the scene]
     #[arg(long, value_name = "L")]
     layout: Option<String>,
-    /// How the grid is accumulated: auto, serial, private or atomic [default: auto]
+    /// How the grid is accumulated: auto, serial, private, colored or atomic [default: auto]
     #[arg(long, value_name = "S")]
     schedule: Option<String>,
     /// The same bits for any number of threads, at some cost
@@ -253,7 +253,7 @@ impl RunArguments {
         agree("solver", &header.solver, self.solver.as_deref())?;
         agree("layout", &header.layout, self.layout.as_deref())?;
         let number = |value: Option<u64>| value.map_or("not set".to_string(), |value| value.to_string());
-        agree("reorder", &there.reorder.to_string(), self.what.reorder.map(|here| here.to_string()).as_deref())?;
+        agree("reorder", &there.reorder, self.what.reorder.map(|here| here.to_string()).as_deref())?;
         let pictures = match (self.every, self.frames) {
             (Some(every), _) => Some(Some(every)),
             (None, Some(0)) => Some(None),
@@ -294,7 +294,9 @@ impl RunArguments {
                 return Err(checkpoint.differs(key, &there.to_string(), &here.to_string()));
             }
         }
-        there.reorder = header.plan.reorder;
+        there.reorder = header.plan.reorder.parse().map_err(|fault| {
+            LabError::usage(format!("checkpoint `{}`: `reorder`: {fault}", checkpoint.path.display()))
+        })?;
         Ok(there)
     }
 

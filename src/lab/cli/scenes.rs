@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use allotrope_solvers::scene::Folder;
+use allotrope_solvers::scene::{Folder, Reorder};
 use allotrope_solvers::{Scene, SolverInfo};
 use clap::Args;
 
@@ -12,10 +12,6 @@ use crate::lab::errors::LabError;
 /// More particles than this are sorted by cell unless the command says otherwise: grid and particles no longer fit into
 /// a core's second cache, and a scattered access costs more than the sort does.
 const SORTED_ABOVE: usize = 1 << 16;
-
-/// How often they are sorted: within so many steps the fastest of them cross some cells, and the cost of a sort is
-/// spread thin.
-const SORTED_EVERY: u64 = 32;
 
 /// Which scene, in which size, and for how long.
 #[derive(Args, Debug)]
@@ -32,10 +28,10 @@ pub(super) struct SceneArguments {
     /// Another number of nodes along the first axis than the scene's; the time step is scaled with the cells
     #[arg(long, value_name = "N", value_parser = values::count)]
     pub(super) grid: Option<usize>,
-    /// Steps after which particles are sorted by cell, 0 for never [default: the scene's; with --particles above 65536,
-    /// 32]
+    /// When particles are sorted by cell: after so many steps, 0 for never, or `auto` for when their order has decayed so
+    /// far that it pays [default: the scene's; with --particles above 65536, auto]
     #[arg(long, value_name = "N")]
-    pub(super) reorder: Option<u64>,
+    pub(super) reorder: Option<Reorder>,
     /// Threads [default: ALLOTROPE_THREADS, or as many as the processor runs]
     #[arg(long, value_name = "N", value_parser = values::threads)]
     pub(super) threads: Option<usize>,
@@ -73,8 +69,8 @@ impl SceneArguments {
         }
         if let Some(particles) = self.particles {
             scene = scene.with_particles(particles)?;
-            if particles > SORTED_ABOVE && scene.reorder == 0 {
-                scene.reorder = SORTED_EVERY;
+            if particles > SORTED_ABOVE && scene.reorder == Reorder::Never {
+                scene.reorder = Reorder::Decayed;
             }
         }
         scene.reorder = self.reorder.unwrap_or(scene.reorder);

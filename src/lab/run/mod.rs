@@ -68,7 +68,7 @@ impl Plan {
             steps_done: done,
             frames_done: calendar.frames(done),
             plan: Planned {
-                reorder: self.scene.reorder,
+                reorder: self.scene.reorder.to_string(),
                 steps: calendar.steps,
                 every: calendar.every,
                 checkpoint_every: calendar.checkpoint_every,

@@ -91,6 +91,10 @@ impl<X: Dimensions, C: Carrier<X>, P: Layout<I>, G: Layout<X>> Medium for Contin
         C::count_broken(&self.points, &self.mpm)
     }
 
+    fn cell(&self, place: usize) -> IVec3 {
+        node::<X>(self.mpm.stencil(C::body(&self.points.get(place), &self.mpm).x).base)
+    }
+
     fn reorder(&mut self) -> Permutation {
         let (nodes, mpm) = (self.shape, self.mpm);
         self.points

@@ -13,6 +13,11 @@ use crate::mpm::medium::{Medium, Particle, block_major};
 use crate::scene::{Particles, Scene};
 use crate::{Array, State};
 
+/// The first node of those around a particle.
+fn base<X: Spatial>(point: &Point<X>, mpm: &Mpm<X>) -> IVec3 {
+    node::<X>((point.x * mpm.inv_dx - 0.5).to_index())
+}
+
 /// Particles in the layout `P`, grid nodes in the layout `G`.
 pub(in crate::mpm) struct Fluid<X: Spatial, P: Layout<I>, G: Layout<X>> {
     points: Field<Point<X>, P>,
@@ -57,12 +62,13 @@ impl<X: Spatial, P: Layout<I>, G: Layout<X>> Medium for Fluid<X, P, G> {
         count_broken(&self.points, &self.mpm)
     }
 
+    fn cell(&self, place: usize) -> IVec3 {
+        base(&self.points.get(place), &self.mpm)
+    }
+
     fn reorder(&mut self) -> Permutation {
-        let (inv_dx, nodes) = (self.mpm.inv_dx, self.shape);
-        self.points.reorder_by_key(|point| {
-            let base = node::<X>((point.x * inv_dx - 0.5).to_index());
-            block_major(base.max(IVec3::ZERO).as_uvec3(), nodes)
-        })
+        let (mpm, nodes) = (self.mpm, self.shape);
+        self.points.reorder_by_key(|point| block_major(base(point, &mpm).max(IVec3::ZERO).as_uvec3(), nodes))
     }
 
     fn len(&self) -> usize {
