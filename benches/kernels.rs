@@ -5,18 +5,16 @@
 
 #[allow(dead_code, unreachable_pub, reason = "two benches share it, and each uses a part")]
 mod twins;
-#[allow(dead_code, unreachable_pub, reason = "two benches share it, and each uses a part")]
-mod workloads;
 
 use std::hint::black_box;
 
 use allotrope::prelude::*;
+use allotrope_lab::workloads::stencils::ramp;
+use allotrope_lab::workloads::transfer::{Mpm, Node, Point, sorted_points};
+use allotrope_lab::workloads::{stencils, streams, transfer};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use twins::transfer::{Interleaved, NodeRecords};
 use twins::{Aligned, stencils as hand_stencils, streams as hand_streams, transfer as hand};
-use workloads::stencils::ramp;
-use workloads::transfer::{Mpm, Node, Point, sorted_points};
-use workloads::{stencils, streams, transfer};
 
 /// The schedule of all benches: one thread, and the instruction set that `ALLOTROPE_CPU` chooses.
 fn schedule() -> Schedule {

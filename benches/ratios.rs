@@ -9,19 +9,17 @@
 mod harness;
 #[allow(dead_code, unreachable_pub, reason = "benches share it, and each uses a part")]
 mod twins;
-#[allow(dead_code, unreachable_pub, reason = "benches share it, and each uses a part")]
-mod workloads;
 
 use std::hint::black_box;
 
 use allotrope::prelude::*;
+use allotrope_lab::workloads::stencils::{Four, ramp};
+use allotrope_lab::workloads::transfer::{Mpm, Node, Point, drawn_points, sorted_points};
+use allotrope_lab::workloads::{bodies, stencils, streams, transfer};
 use harness::{Pairs, same};
 use twins::Aligned;
 use twins::transfer::{Apart, Block, Blocks, Interleaved, NodeLists, NodeRecords};
 use twins::{bodies as hand_bodies, stencils as hand_stencils, streams as hand_streams, transfer as hand};
-use workloads::stencils::{Four, ramp};
-use workloads::transfer::{Mpm, Node, Point, drawn_points, sorted_points};
-use workloads::{bodies, stencils, streams, transfer};
 
 fn stream_pairs(pairs: &Pairs) {
     for (size, label) in [(1 << 24, "2^24"), (1 << 20, "2^20"), (1 << 17, "2^17"), (1 << 14, "2^14")] {

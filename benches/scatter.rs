@@ -4,15 +4,11 @@
 //! times (9), on `THREADS` threads (2). The last column is how much longer `Auto` takes than the fastest of the others, and the last line
 //! tells in how many cases that is at most 15 %.
 
-#[allow(unreachable_pub, dead_code, reason = "benches share it, and each uses a part")]
-#[path = "workloads/transfer.rs"]
-mod transfer;
-
 use std::hint::black_box;
 use std::time::Instant;
 
 use allotrope::prelude::*;
-use transfer::{Mpm, Node, Point, particle_to_grid};
+use allotrope_lab::workloads::transfer::{Mpm, Node, Point, particle_to_grid};
 
 /// A schedule, by name.
 struct Named {

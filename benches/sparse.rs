@@ -6,17 +6,15 @@
 mod harness;
 #[allow(dead_code, unreachable_pub, reason = "benches share it, and each uses a part")]
 mod twins;
-#[allow(dead_code, unreachable_pub, reason = "benches share it, and each uses a part")]
-mod workloads;
 
 use std::hint::black_box;
 use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 
 use allotrope::prelude::*;
+use allotrope_lab::workloads::sparse::{SIDE, Two, append, halve, laplacian, scale, shell};
+use allotrope_lab::workloads::transfer::{Mpm, Node, Point, grid_to_particle, particle_to_grid, sorted_points};
 use harness::{Pairs, same};
 use twins::shell::Shell;
-use workloads::sparse::{SIDE, Two, append, halve, laplacian, scale, shell};
-use workloads::transfer::{Mpm, Node, Point, grid_to_particle, particle_to_grid, sorted_points};
 
 /// The 7-point Laplacian of the shell of a sphere, and its scaling, beside lists of blocks.
 fn shell_pairs(pairs: &Pairs) {

@@ -5,6 +5,7 @@
 #![forbid(unsafe_code)]
 
 pub mod lab;
+pub mod workloads;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

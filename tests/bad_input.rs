@@ -42,6 +42,13 @@ const COMMAND_LINES: &[Case] = &[
         "there is no schedule `tiled`; known are `auto`, `serial`, `private`, `colored`, `atomic`",
     ),
     wrong("bench mpm --schedules serail", "there is no schedule `serail`; did you mean `serial`?"),
+    wrong("compare taichi --workloads jacoby", "there is no workload `jacoby`; did you mean `jacobi`?"),
+    wrong("compare taichi --workloads ,", "`--workloads` wants at least one name"),
+    wrong("compare taichi --pairs 4", "invalid value `4` for `--pairs <N>`: 4 is not in 5..=1000"),
+    wrong(
+        "run mpm --reorder often",
+        "invalid value `often` for `--reorder <N>`: a number of steps, 0 for never, or `auto` is wanted",
+    ),
     wrong("bench mpm --layouts ,", "`--layouts` and `--schedules` each want at least one name"),
     wrong("run mpm --threads 0", "invalid value `0` for `--threads <N>`: it must be at least 1"),
     wrong("run mpm --threads two", "invalid value `two` for `--threads <N>`: a whole number above zero is wanted"),

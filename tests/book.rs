@@ -55,9 +55,9 @@ fn commands_exist() {
     let mut checked = 0;
     for (name, text) in chapters() {
         for line in text.lines().filter(|line| line.starts_with("allotrope ")) {
-            let command = line.split_whitespace().nth(1).expect("a command");
+            let command = line.split_whitespace().skip(1).take_while(|word| !word.starts_with("--"));
             let output =
-                Command::new(env!("CARGO_BIN_EXE_allotrope")).args([command, "--help"]).output().expect("runs");
+                Command::new(env!("CARGO_BIN_EXE_allotrope")).args(command).arg("--help").output().expect("runs");
             let help = String::from_utf8_lossy(&output.stdout);
             assert!(output.status.success(), "{name}.md: {line}");
             for option in line.split_whitespace().filter(|word| word.starts_with("--")) {

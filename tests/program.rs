@@ -4,6 +4,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use allotrope_lab::lab::bench::Report;
+use allotrope_lab::lab::peers::Report as Comparison;
 
 fn allotrope(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_allotrope"));
@@ -160,6 +161,29 @@ fn bench_compares_layouts_and_writes_its_report() {
         // Medians of the parts against the median of the whole, on a machine that may be busy.
         assert!(row.kernels.0.len() == 3 && (0.3..2.0).contains(&(kernels / row.ms_per_step)), "{row:?}");
     }
+}
+
+#[test]
+fn our_workloads_are_measured_where_taichi_is_missing() {
+    let folder = tempfile::tempdir().unwrap();
+    let json = folder.path().join("taichi.json");
+    let python = folder.path().join("python3");
+    let arguments = ["compare", "taichi", "--workloads", "launch,histogram", "--pairs", "5", "--threads", "2"];
+    let places = ["--python", python.to_str().unwrap(), "--json", json.to_str().unwrap()];
+    let output = allotrope(&[&arguments[..], &places].concat());
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success(), "{told}");
+    assert!(told.starts_with(&format!("`{}` cannot be run: ", python.display())), "{told}");
+    assert!(told.contains("pip install taichi==1.7.4"), "{told}");
+    let table = String::from_utf8(output.stdout).unwrap();
+    assert!(table.contains("no Taichi; medians of 5 pairs"), "{table}");
+    let report: Comparison = serde_json::from_str(&std::fs::read_to_string(json).unwrap()).unwrap();
+    assert_eq!((report.threads, report.pairs), (2, 5));
+    let names: Vec<&str> = report.rows.iter().map(|row| &*row.workload).collect();
+    assert_eq!(names, ["launch", "histogram"]);
+    assert!(report.rows.iter().all(|row| row.ours_ms > 0.0 && row.taichi_ms.is_none() && row.ratio.is_none()));
+    assert!(report.rows[1].bandwidth_fraction.is_some_and(|fraction| fraction > 0.0));
+    assert_eq!(report.mean_ratio(), None);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use allotrope::prelude::*;
 
 use super::versions;
-use crate::workloads::transfer::{Mpm, quadratic_weights};
+use allotrope_lab::workloads::transfer::{Mpm, quadratic_weights};
 
 /// Particles in some layout.
 pub trait Points {

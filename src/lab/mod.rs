@@ -10,6 +10,7 @@ pub mod export;
 pub mod list;
 pub mod machine;
 pub mod output;
+pub mod peers;
 pub mod render;
 pub mod run;
 pub mod scene;

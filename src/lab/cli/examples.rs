@@ -40,6 +40,22 @@ Examples:
   allotrope bench mpm --layouts aos+row,soa+soa --schedules private,atomic
   allotrope bench mpm --particles 1048576 --grid 1024 --threads 1 --json bench.json";
 
+/// Of `compare`.
+pub(super) const COMPARE: &str = "\
+Examples:
+  allotrope compare taichi --python taichi/bin/python";
+
+/// Of `compare taichi`.
+pub(super) const COMPARE_TAICHI: &str = "\
+Examples:
+  allotrope compare taichi                      # where `python3` has Taichi; our times alone where it has not
+  allotrope compare taichi --python taichi/bin/python --threads 1
+  allotrope compare taichi --workloads jacobi,mpm88-1m --pairs 15 --json taichi.json
+
+Workloads: saxpy, sum, jacobi, laplacian7, histogram, julia, nbody, mpm88-8k, mpm88-1m, sparse-laplacian, sparse-scale,
+launch. Both sides have the same inputs, and their results are compared before anything is timed. `tuned` is Taichi as an
+expert would write it (scatters in a serial loop without atomic adds, rows instead of a condition at each cell).";
+
 /// Of `scene`.
 pub(super) const SCENE: &str = "\
 Examples:

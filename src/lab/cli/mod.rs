@@ -1,6 +1,7 @@
 //! The command line.
 
 mod bench;
+mod compare;
 mod examples;
 mod run;
 mod scene;
@@ -15,6 +16,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
 pub use self::bench::BenchArguments;
+pub use self::compare::CompareCommand;
 pub use self::run::RunArguments;
 pub use self::scene::SceneCommand;
 use super::errors::LabError;
@@ -39,6 +41,9 @@ enum Command {
     /// Runs a scene in many layouts, checks that they agree, and compares their speed
     #[command(after_help = examples::BENCH)]
     Bench(BenchArguments),
+    /// Compares our workloads with other systems'
+    #[command(subcommand, after_help = examples::COMPARE)]
+    Compare(CompareCommand),
     /// Reads scenes without running them
     #[command(subcommand, after_help = examples::SCENE)]
     Scene(SceneCommand),
@@ -105,6 +110,7 @@ impl Cli {
             Command::List => output::print(&list::text()),
             Command::Run(arguments) => arguments.execute(),
             Command::Bench(arguments) => arguments.execute(),
+            Command::Compare(command) => command.execute(),
             Command::Scene(command) => command.execute(),
             Command::Completions(arguments) => arguments.execute(),
         }
