@@ -3,14 +3,18 @@
 mod bricks;
 pub(crate) mod cpu;
 mod pool;
+#[cfg(not(allotrope_joined_threads))]
+mod post;
 mod queue;
 pub(crate) mod reduction;
 mod run;
 mod sieve;
 mod space;
 
-/// What the queue is made of: its tests model it.
+/// What queue and posts are made of: their tests model it.
 mod sync {
+    #[cfg(not(allotrope_joined_threads))]
+    pub(super) use core::sync::atomic::AtomicPtr;
     pub(super) use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 }
 

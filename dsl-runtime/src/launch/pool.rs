@@ -1,28 +1,10 @@
-//! Threads: jobs are numbers, which the calling thread and a pool's workers take in turn.
+//! Threads: jobs are numbers, which the calling thread and a team's helpers take in turn.
 
 #[cfg(not(allotrope_joined_threads))]
-use std::sync::OnceLock;
-
-#[cfg(not(allotrope_joined_threads))]
-use rayon::{ThreadPool, ThreadPoolBuilder};
+mod team;
 
 use super::queue::Queue;
-use crate::schedule::{Inside, Schedule, inherit};
-
-/// One pool for each number of helping threads, made when it is first used.
-#[cfg(not(allotrope_joined_threads))]
-static POOLS: [OnceLock<ThreadPool>; crate::MAX_THREADS] = [const { OnceLock::new() }; crate::MAX_THREADS];
-
-#[cfg(not(allotrope_joined_threads))]
-fn pool(helpers: usize) -> &'static ThreadPool {
-    POOLS[helpers].get_or_init(|| {
-        ThreadPoolBuilder::new()
-            .num_threads(helpers)
-            .thread_name(|n| format!("allotrope-{}", n + 1))
-            .build()
-            .unwrap_or_else(|error| panic!("cannot start {helpers} threads: {error}"))
-    })
-}
+use crate::schedule::{Inside, Schedule};
 
 /// Jobs, and what is done for each.
 struct Work<'a> {
@@ -59,27 +41,18 @@ pub(super) fn run(threads: usize, jobs: usize, job: &(dyn Fn(usize) + Sync)) {
         work.run();
         return;
     }
-    help(helpers, &work);
+    #[cfg(not(allotrope_joined_threads))]
+    team::help(helpers, &work, Schedule::current());
+    #[cfg(allotrope_joined_threads)]
+    help(helpers, &work, Schedule::current());
 }
 
-/// Works with so many threads of a pool, and returns when all have stopped.
-#[cfg(not(allotrope_joined_threads))]
-fn help(helpers: usize, work: &Work<'_>) {
-    let schedule = Schedule::current();
-    pool(helpers).in_place_scope(|scope| {
-        for _ in 0..helpers {
-            scope.spawn(|_| inherit(schedule, || work.run()));
-        }
-        work.run();
-    });
-}
-
-/// The same with threads of the launch's own, which are joined. This is for the thread sanitizer: it sees what a join orders, but not
-/// how a pool's threads sleep and wake, as the standard library is not instrumented.
+/// Works with so many threads of the launch's own, which are joined, and returns when all have stopped. This is for the thread sanitizer: it
+/// sees what a join orders, but not how a pool's threads sleep and wake, as the standard library is not instrumented.
 #[cfg(allotrope_joined_threads)]
-fn help(helpers: usize, work: &Work<'_>) {
+fn help(helpers: usize, work: &Work<'_>, schedule: Schedule) {
+    use crate::schedule::inherit;
     use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-    let schedule = Schedule::current();
     let results: Vec<std::thread::Result<()>> = std::thread::scope(|scope| {
         let threads: Vec<_> = (0..helpers).map(|_| scope.spawn(|| inherit(schedule, || work.run()))).collect();
         let own = catch_unwind(AssertUnwindSafe(|| work.run()));

@@ -60,7 +60,44 @@ pub struct Sink {
     open: Option<Found>,
     found: Vec<Found>,
     /// The least and largest keys, instead of pieces.
-    span: Option<([i64; MAX_AXES], [i64; MAX_AXES])>,
+    span: Option<Span>,
+    /// The parts of a box that keys lie in, instead of pieces.
+    marks: Option<Marks>,
+}
+
+/// The least and largest keys.
+pub(super) type Span = ([i64; MAX_AXES], [i64; MAX_AXES]);
+
+/// Parts of a box, of which it has some hundred, and which of them keys lie in.
+#[derive(Clone, Copy, Debug)]
+struct Marks {
+    span: Span,
+    /// Parts along each axis.
+    parts: u64,
+    rank: usize,
+    found: [u64; 16],
+}
+
+impl Marks {
+    fn new(span: Span, rank: usize) -> Self {
+        let parts = [1024, 32, 10, 5][rank.clamp(1, 4) - 1];
+        Self { span, parts, rank, found: [0; 16] }
+    }
+
+    fn mark(&mut self, key: [i64; MAX_AXES]) {
+        let (low, high) = self.span;
+        let part = (0..self.rank).fold(0, |part, a| {
+            let along = (key[a].clamp(low[a], high[a]) - low[a]) as u64;
+            part * self.parts + along * self.parts / ((high[a] - low[a]) as u64 + 1)
+        });
+        self.found[part as usize / 64] |= 1 << (part % 64);
+    }
+
+    /// The share of the parts that keys lie in.
+    fn share(&self) -> f64 {
+        let found: u32 = self.found.iter().map(|bits| bits.count_ones()).sum();
+        f64::from(found) / self.parts.pow(self.rank as u32) as f64
+    }
 }
 
 impl Sink {
@@ -78,6 +115,7 @@ impl Sink {
             open: None,
             found: Vec::new(),
             span: measures.then_some(([i64::MAX; MAX_AXES], [i64::MIN; MAX_AXES])),
+            marks: None,
         }
     }
 
@@ -120,12 +158,16 @@ impl Sink {
             }
             return;
         }
+        if let Some(marks) = &mut self.marks {
+            marks.mark(key);
+            return;
+        }
         (self.tile, self.start) = self.tiles.find(key);
         self.within = self.tiles.extent().map(u64::from);
     }
 
     fn begin(&mut self, number: u32) {
-        if self.span.is_none() {
+        if self.span.is_none() && self.marks.is_none() {
             self.found.extend(self.open.replace(Found { piece: Piece { first: number, len: 1 }, tile: self.tile }));
         }
     }
@@ -253,6 +295,23 @@ impl Bins {
     }
 }
 
+/// About how many cells the keys of a loop lie among, between the least and largest; none where it has no keys. Between two keys of a sample
+/// there may be more of the others.
+pub(super) fn cells_around<S: Space>(
+    space: &S,
+    tiles: &Tiles,
+    rank: usize,
+    blocks: usize,
+    keys: &(dyn Fn(usize, &mut Sink) + Sync),
+) -> Option<usize> {
+    let span = span(space, tiles, 1, blocks, keys)?;
+    let mut sink = Sink::new(space, tiles, false);
+    sink.marks = Some(Marks::new(span, rank));
+    (0..blocks).for_each(|block| keys(block, &mut sink));
+    let extents = span.0.iter().zip(&span.1).take(rank).map(|(low, high)| (high - low) as f64 + 1.0);
+    Some((extents.product::<f64>() * sink.marks?.share()) as usize)
+}
+
 /// The least and largest keys of a loop; none where it has none.
 pub(super) fn span<S: Space>(
     space: &S,
@@ -260,7 +319,7 @@ pub(super) fn span<S: Space>(
     threads: usize,
     blocks: usize,
     keys: &(dyn Fn(usize, &mut Sink) + Sync),
-) -> Option<([i64; MAX_AXES], [i64; MAX_AXES])> {
+) -> Option<Span> {
     let spans = results_of_jobs(threads, blocks, |block| {
         let mut sink = Sink::new(space, tiles, true);
         keys(block, &mut sink);

@@ -3,7 +3,7 @@
 
 use core::cell::RefCell;
 
-use super::bins::{Bins, Sink, span};
+use super::bins::{Bins, Sink, cells_around, span};
 use super::late::Late;
 use super::share::Share;
 use super::tiles::Tiles;
@@ -15,7 +15,7 @@ use crate::launch::{Space, Task, results_of_jobs};
 const ROOMY: usize = 8;
 
 /// Loops of fewer blocks are not asked for their order.
-const SAMPLED: usize = 16;
+const SAMPLED: usize = 8;
 
 /// The body of a loop that finds the keys of a task's elements.
 type Keys<'a, S> = &'a (dyn Fn(Task<'_, S>, &mut Sink) + Sync);
@@ -59,7 +59,7 @@ impl<S: Space> Key<'_, S> {
         S::DIVISIBLE && rank > 0 && targets.iter().all(|t| t.rank() == rank) && u32::try_from(space.elements()).is_ok()
     }
 
-    /// In how large a box, in cells, a loop of so many blocks accumulates, if neighbouring elements do far from each other, as some of the blocks tell.
+    /// Among how many cells a loop of so many blocks accumulates, if neighbouring elements do far from each other, as some of the blocks tell.
     pub(crate) fn scattered_over(
         &self,
         space: &S,
@@ -75,9 +75,8 @@ impl<S: Space> Key<'_, S> {
         let tiles = self.tiles(space, targets, 1, asked.len(), &keys);
         let mut sink = Sink::new(space, &tiles, false);
         (0..asked.len()).for_each(|n| keys(n, &mut sink));
-        let (low, high) = sink.is_scattered().then(|| span(space, &tiles, 1, asked.len(), &keys))??;
-        let extents = low.iter().zip(&high).take(targets[self.slot].rank());
-        Some(extents.map(|(low, high)| (high - low) as usize + 1).fold(1, usize::saturating_mul))
+        let rank = targets[self.slot].rank();
+        sink.is_scattered().then(|| cells_around(space, &tiles, rank, asked.len(), &keys))?
     }
 
     /// The tiles for a loop of so many blocks, whose keys `keys` finds.

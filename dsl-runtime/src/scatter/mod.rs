@@ -49,7 +49,7 @@ pub(crate) struct Plan {
 pub(crate) struct Tiled<'a> {
     /// Whether all of its updates are known to lie around there.
     pub(crate) certain: bool,
-    /// In how large a box, in cells, elements accumulate, where neighbouring ones do far from each other.
+    /// Among how many cells elements accumulate, where neighbouring ones do far from each other.
     pub(crate) scattered: &'a dyn Fn() -> Option<usize>,
 }
 
@@ -121,12 +121,13 @@ fn suits_tiles(targets: &[&dyn Scattered], tiled: Tiled<'_>, elements: usize, jo
     let sum = |of: fn(&&dyn Scattered) -> usize| targets.iter().map(of).fold(0, usize::saturating_add);
     let (cells, bytes) = (sum(|t| t.cells()), sum(|t| t.bytes()));
     let cached = if jobs > 1 { CACHED } else { 4 * CACHED };
-    let together = jobs > 1 && elements.saturating_mul(2) < cells.saturating_mul(jobs - 1);
+    // Small copies lie in a core's own caches, and are combined in no time.
+    let together = jobs > 1 && bytes > CACHED / 4 && elements.saturating_mul(2) < cells.saturating_mul(jobs - 1);
     if !tiled.certain || !together && bytes <= cached {
         return false;
     }
     match (tiled.scattered)() {
-        Some(span) => bytes as f64 * (span as f64 / cells as f64).min(1.0) > cached as f64,
+        Some(around) => bytes as f64 * (around as f64 / cells as f64).min(1.0) > cached as f64,
         None => together,
     }
 }
