@@ -2,12 +2,15 @@
 //!
 //! Particles a cell, their order, how they are spread, and the grid's layout are swept. The schedules of a case are timed in turn, `PAIRS`
 //! times (9), on `THREADS` threads (2). The last column is how much longer `Auto` takes than the fastest of the others, and the last line
-//! tells in how many cases that is at most 15 %.
+//! tells in how many cases that is at most 15 %. `CHARTS` names a folder for a chart of each layout, spread and order.
 
+use std::collections::BTreeMap;
 use std::hint::black_box;
+use std::path::PathBuf;
 use std::time::Instant;
 
 use allotrope::prelude::*;
+use allotrope_lab::lab::chart::{Line, LineChart};
 use allotrope_lab::workloads::transfer::{Mpm, Node, Point, particle_to_grid};
 
 /// A schedule, by name.
@@ -94,8 +97,9 @@ fn main() {
     let names: Vec<&str> = SCHEDULES.iter().map(|named| named.name).collect();
     println!("layout,side,particles,particles_per_cell,spread,order,{}_ms,auto_over_best", names.join("_ms,"));
     let (mut near, mut cases) = (0, 0);
+    let mut charts = BTreeMap::<String, Vec<Line>>::new();
     for side in [256, 1024] {
-        for per_cell in [0.1, 0.5, 1.0, 2.0, 4.0, 16.0] {
+        for per_cell in [0.1, 0.5, 1.0, 2.0, 4.0, 16.0, 64.0] {
             for (clustered, spread) in [(false, "uniform"), (true, "clustered")] {
                 for (sorted, order) in [(true, "sorted"), (false, "shuffled")] {
                     let count = (per_cell * (side * side) as f64) as usize;
@@ -115,10 +119,17 @@ fn main() {
                         let medians = measure(points, side, threads, times);
                         let best = medians[..4].iter().copied().fold(f64::INFINITY, f64::min);
                         let ratio = medians[4] / best;
-                        let medians: Vec<String> = medians.iter().map(|time| format!("{time:.3}")).collect();
-                        println!("{case},{},{ratio:.2}", medians.join(","));
+                        let texts: Vec<String> = medians.iter().map(|time| format!("{time:.3}")).collect();
+                        println!("{case},{},{ratio:.2}", texts.join(","));
                         cases += 1;
                         near += usize::from(ratio <= 1.15);
+                        let lines = charts.entry(format!("{layout}-{side}-{spread}-{order}")).or_insert_with(|| {
+                            let line = |named: &Named| Line { name: named.name.replace('_', ", "), points: Vec::new() };
+                            SCHEDULES.iter().map(line).collect()
+                        });
+                        for (line, time) in lines.iter_mut().zip(&medians) {
+                            line.points.push([per_cell, time * 1e6 / count as f64]);
+                        }
                     }
                 }
             }
@@ -127,6 +138,20 @@ fn main() {
     println!(
         "# `auto` is within 15 % of the best in {near} of {cases} cases, on {threads} threads, {times} times each"
     );
+    if let Some(folder) = std::env::var_os("CHARTS").map(PathBuf::from) {
+        std::fs::create_dir_all(&folder).expect("the folder for charts");
+        for (case, lines) in charts {
+            let chart = LineChart {
+                title: "Particle to grid".into(),
+                subtitle: format!("{} on {threads} threads, medians of {times}", case.replace('-', ", ")),
+                across: "particles a cell".into(),
+                upwards: "nanoseconds a particle".into(),
+                lines,
+            };
+            let svg = chart.svg().expect("a chart");
+            std::fs::write(folder.join(format!("scatter-{case}.svg")), svg).expect("a chart's file");
+        }
+    }
 }
 
 /// Blocks of so many cells along each axis, behind pointers.

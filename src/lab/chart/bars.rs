@@ -1,14 +1,12 @@
-//! Bar charts as SVG pictures, which browsers, editors and papers show.
+//! Bars.
 
-use std::fmt::Display;
+use plotters::element::Rectangle;
+use plotters::prelude::{IntoDrawingArea, SVGBackend};
+use plotters::style::text_anchor::HPos;
+use plotters::style::{Color, FontStyle, RGBColor};
 
-use plotters::coord::Shift;
-use plotters::element::{PathElement, Rectangle, Text};
-use plotters::prelude::{DrawingArea, IntoDrawingArea, RGBColor, SVGBackend};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color, FontStyle, IntoFont};
-
-use super::errors::LabError;
+use super::{Area, FAINT, INK, LINES, MARGIN, PAPER, SIGN, fault, line, write};
+use crate::lab::errors::LabError;
 
 /// A chart of horizontal bars from zero on.
 #[derive(Clone, Debug)]
@@ -42,8 +40,6 @@ pub struct Bar {
 
 /// Pixels across.
 const WIDTH: i32 = 800;
-/// Pixels of the border.
-const MARGIN: i32 = 24;
 /// Pixels from the upper border to the first bar's row: headline and subtitle.
 const HEAD: i32 = 84;
 /// Pixels below the last bar's row: the axis.
@@ -56,17 +52,9 @@ const THICKNESS: i32 = 20;
 const CAP: i32 = 4;
 /// Pixels for label and note.
 const RIGHT: i32 = 160;
-/// Pixels of a sign of text of that height, at most on average: who draws the picture chooses the font.
-const SIGN: f64 = 0.6;
 
-const PAPER: RGBColor = RGBColor(255, 255, 255);
-const INK: RGBColor = RGBColor(31, 41, 55);
-const FAINT: RGBColor = RGBColor(107, 114, 128);
-const LINES: RGBColor = RGBColor(229, 231, 235);
 const BARS: RGBColor = RGBColor(147, 176, 214);
 const ACCENT: RGBColor = RGBColor(29, 99, 184);
-
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 impl BarChart {
     /// The text of an SVG file.
@@ -135,32 +123,9 @@ fn ticks(longest: f64) -> Vec<f64> {
     (0..).map(|n| scaled(step * f64::from(n))).take_while(|&tick| tick <= longest).collect()
 }
 
-fn line(area: &Area<'_>, ends: [(i32, i32); 2], colour: RGBColor) -> Result<(), LabError> {
-    area.draw(&PathElement::new(ends.to_vec(), colour.stroke_width(1))).map_err(fault)
-}
-
-/// A line of text, `size` pixels high, whose upper end is at `place`.
-fn write(
-    area: &Area<'_>,
-    text: &str,
-    place: (i32, i32),
-    size: i32,
-    colour: RGBColor,
-    side: HPos,
-    style: FontStyle,
-) -> Result<(), LabError> {
-    // What SVG calls a font's size is 1.24 times less than what `plotters` does.
-    let font = ("sans-serif", 1.24 * f64::from(size)).into_font().style(style);
-    let style = font.color(&colour).pos(Pos::new(side, VPos::Top));
-    area.draw(&Text::new(text, place, style)).map_err(fault)
-}
-
-fn fault(error: impl Display) -> LabError {
-    LabError::failure(format!("a chart cannot be drawn: {error}"))
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::tests::numbers;
     use super::*;
 
     fn bar(name: &str, value: f64, range: [f64; 2]) -> Bar {
@@ -170,13 +135,6 @@ mod tests {
 
     fn chart(bars: Vec<Bar>) -> BarChart {
         BarChart { title: "A & B < C".into(), subtitle: "here".into(), axis: "ms".into(), bars }
-    }
-
-    /// The number of an attribute in each element that has it and begins so.
-    fn numbers(svg: &str, element: &str, attribute: &str) -> Vec<f64> {
-        let elements = svg.lines().filter(|line| line.starts_with(element));
-        let key = format!(" {attribute}=\"");
-        elements.filter_map(|line| line.split_once(&key)?.1.split('"').next()?.parse().ok()).collect()
     }
 
     #[test]
