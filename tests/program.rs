@@ -36,9 +36,19 @@ fn names(folder: &Path) -> Vec<String> {
 #[test]
 fn list_tells_what_there_is() {
     let text = succeeds(&["list"]);
-    for name in
-        ["mpm", "mpm88", "bunny", "aos+row", "soa+soa", "hot+row", "aosoa16+blocked4", "aos+hash4", "private", "atomic"]
-    {
+    for name in [
+        "mpm",
+        "mpm88",
+        "bunny",
+        "aos+row",
+        "soa+soa",
+        "hot+row",
+        "aosoa16+blocked4",
+        "aos+hash4",
+        "private",
+        "atomic",
+        "mpm88-1m",
+    ] {
         assert!(text.split_whitespace().any(|word| word.trim_end_matches(':') == name), "{name}");
     }
 }

@@ -203,12 +203,17 @@ def mpm88(particles, nodes):
             grid_v[node] = ti.Vector([0.0, 0.0])
             grid_m[node] = 0.0
 
+    @ti.func
+    def moved(p):
+        """Where a particle scatters, and its momentum as an affine function of the place."""
+        base, fx, w = stencil(x[p])
+        stress = -4.0 * dt * stiffness * volume * (j[p] - 1.0) / (dx * dx)
+        return base, fx, w, stress * ti.Matrix.identity(ti.f32, 2) + volume * c[p]
+
     @ti.kernel
     def scatter():
         for p in x:
-            base, fx, w = stencil(x[p])
-            stress = -4.0 * dt * stiffness * volume * (j[p] - 1.0) / (dx * dx)
-            affine = stress * ti.Matrix.identity(ti.f32, 2) + volume * c[p]
+            base, fx, w, affine = moved(p)
             for a, b in ti.static(ti.ndrange(3, 3)):
                 offset = ti.Vector([a, b])
                 weight = w[a, 0] * w[b, 1]
@@ -219,13 +224,10 @@ def mpm88(particles, nodes):
     def scatter_serial():
         ti.loop_config(serialize=True)
         for p in x:
-            base, fx, w = stencil(x[p])
-            stress = -4.0 * dt * stiffness * volume * (j[p] - 1.0) / (dx * dx)
-            affine = stress * ti.Matrix.identity(ti.f32, 2) + volume * c[p]
+            base, fx, w, affine = moved(p)
             for a, b in ti.static(ti.ndrange(3, 3)):
                 offset = ti.Vector([a, b])
-                weight = w[a, 0] * w[b, 1]
-                node = base + offset
+                weight, node = w[a, 0] * w[b, 1], base + offset
                 grid_v[node] = grid_v[node] + weight * (volume * v[p] + affine @ ((offset - fx) * dx))
                 grid_m[node] = grid_m[node] + weight * volume
 

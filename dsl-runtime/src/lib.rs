@@ -278,7 +278,7 @@
 //! Every operation rounds as Rust's does, so that results are the same bits under each instruction set. `#[kernel(contract)]` lets a product that
 //! is added to something be rounded once with it: `a * b + c`, `c - a * b`, `sum += a * b`, of floats, their vectors and their matrices, written
 //! in a loop's own body, where the processor has an instruction for it. Results then differ in the last bits between instruction sets, and an operand of a type that is
-//! not `Copy` is refused.
+//! not `Copy` is refused. It changes nothing where a kernel is generic over its numbers.
 //!
 //! ```
 //! use allotrope::prelude::*;

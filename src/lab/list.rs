@@ -5,9 +5,10 @@ use std::fmt::Write;
 use allotrope_solvers::{Scene, solvers};
 
 use super::machine;
+use super::peers::WORKLOADS;
 use super::table::Table;
 
-/// All solvers with their scenes and layouts, and the schedules, as text.
+/// All solvers with their scenes and layouts, the schedules, and the workloads that other systems have too, as text.
 pub fn text() -> String {
     let mut text = String::new();
     for solver in solvers() {
@@ -32,6 +33,11 @@ pub fn text() -> String {
         schedules.row([format!("    {}", schedule.name), schedule.about.to_string()]);
     }
     text.push_str(&schedules.text());
+    let mut workloads = Table::new(["workload of `compare`", ""], 2);
+    for workload in WORKLOADS {
+        workloads.row([format!("    {}", workload.name), workload.about.to_string()]);
+    }
+    text.push_str(&workloads.text());
     let _ = writeln!(
         text,
         "The first scene, layout and schedule are the defaults. Scenes can also be files: see solvers/SCENES.md."

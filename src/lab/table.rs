@@ -42,6 +42,11 @@ pub fn four_digits(value: f64) -> String {
     format!("{value:.*}", digits as usize)
 }
 
+/// Rounded to six digits: more are noise, and make the line unreadable.
+pub fn six_digits(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -51,6 +56,11 @@ mod tests {
         assert_eq!(four_digits(0.312_345), "0.3123");
         assert_eq!(four_digits(41.238), "41.24");
         assert_eq!(four_digits(0.0), "0.000000");
+    }
+
+    #[test]
+    fn six_digits_are_kept() {
+        assert_eq!(six_digits(0.123_456_789), 0.123457);
     }
 
     #[test]

@@ -59,21 +59,32 @@ pub struct Sink {
     tile: u32,
     open: Option<Found>,
     found: Vec<Found>,
-    /// The least and largest keys, instead of pieces.
-    span: Option<Span>,
-    /// The parts of a box that keys lie in, instead of pieces.
-    marks: Option<Marks>,
+    wanted: Wanted,
+}
+
+/// What a sink makes of keys.
+#[derive(Debug)]
+pub(super) enum Wanted {
+    /// Pieces of one tile.
+    Pieces,
+    /// The least and largest.
+    Span(Span),
+    /// The parts of a box that they lie in.
+    Parts(Marks),
 }
 
 /// The least and largest keys.
 pub(super) type Span = ([i64; MAX_AXES], [i64; MAX_AXES]);
 
+/// The span of no key.
+const NO_KEYS: Span = ([i64::MAX; MAX_AXES], [i64::MIN; MAX_AXES]);
+
 /// Parts of a box, of which it has some hundred, and which of them keys lie in.
 #[derive(Clone, Copy, Debug)]
-struct Marks {
+pub(super) struct Marks {
     span: Span,
     /// Parts along each axis.
-    parts: u64,
+    parts: usize,
     rank: usize,
     found: [u64; 16],
 }
@@ -87,10 +98,11 @@ impl Marks {
     fn mark(&mut self, key: [i64; MAX_AXES]) {
         let (low, high) = self.span;
         let part = (0..self.rank).fold(0, |part, a| {
-            let along = (key[a].clamp(low[a], high[a]) - low[a]) as u64;
-            part * self.parts + along * self.parts / ((high[a] - low[a]) as u64 + 1)
+            let (along, extent) = (key[a].clamp(low[a], high[a]).abs_diff(low[a]), high[a].abs_diff(low[a]));
+            // Keys may be any numbers, also such as no field has.
+            part * self.parts + (u128::from(along) * self.parts as u128 / (u128::from(extent) + 1)) as usize
         });
-        self.found[part as usize / 64] |= 1 << (part % 64);
+        self.found[part / 64] |= 1 << (part % 64);
     }
 
     /// The share of the parts that keys lie in.
@@ -101,7 +113,7 @@ impl Marks {
 }
 
 impl Sink {
-    pub(super) fn new<S: Space>(space: &S, tiles: &Tiles, measures: bool) -> Self {
+    pub(super) fn new<S: Space>(space: &S, tiles: &Tiles, wanted: Wanted) -> Self {
         let (first, end) = space.bounds();
         let extent = |a: usize| if a < S::RANK { (end[a] - first[a]) as u64 } else { 1 };
         Self {
@@ -114,8 +126,7 @@ impl Sink {
             tile: 0,
             open: None,
             found: Vec::new(),
-            span: measures.then_some(([i64::MAX; MAX_AXES], [i64::MIN; MAX_AXES])),
-            marks: None,
+            wanted,
         }
     }
 
@@ -151,23 +162,23 @@ impl Sink {
     }
 
     fn enter(&mut self, key: [i64; MAX_AXES]) {
-        if let Some((low, high)) = &mut self.span {
-            for a in 0..MAX_AXES {
-                low[a] = low[a].min(key[a]);
-                high[a] = high[a].max(key[a]);
+        match &mut self.wanted {
+            Wanted::Pieces => {
+                (self.tile, self.start) = self.tiles.find(key);
+                self.within = self.tiles.extent().map(u64::from);
             }
-            return;
+            Wanted::Span((low, high)) => {
+                for a in 0..MAX_AXES {
+                    low[a] = low[a].min(key[a]);
+                    high[a] = high[a].max(key[a]);
+                }
+            }
+            Wanted::Parts(marks) => marks.mark(key),
         }
-        if let Some(marks) = &mut self.marks {
-            marks.mark(key);
-            return;
-        }
-        (self.tile, self.start) = self.tiles.find(key);
-        self.within = self.tiles.extent().map(u64::from);
     }
 
     fn begin(&mut self, number: u32) {
-        if self.span.is_none() && self.marks.is_none() {
+        if matches!(self.wanted, Wanted::Pieces) {
             self.found.extend(self.open.replace(Found { piece: Piece { first: number, len: 1 }, tile: self.tile }));
         }
     }
@@ -222,7 +233,7 @@ impl Bins {
         keys: &(dyn Fn(usize, &mut Sink) + Sync),
     ) -> Self {
         let lists = results_of_jobs(threads, blocks, |block| {
-            let mut sink = Sink::new(space, tiles, false);
+            let mut sink = Sink::new(space, tiles, Wanted::Pieces);
             keys(block, &mut sink);
             sink.close();
             sink.found
@@ -305,11 +316,11 @@ pub(super) fn cells_around<S: Space>(
     keys: &(dyn Fn(usize, &mut Sink) + Sync),
 ) -> Option<usize> {
     let span = span(space, tiles, 1, blocks, keys)?;
-    let mut sink = Sink::new(space, tiles, false);
-    sink.marks = Some(Marks::new(span, rank));
+    let mut sink = Sink::new(space, tiles, Wanted::Parts(Marks::new(span, rank)));
     (0..blocks).for_each(|block| keys(block, &mut sink));
-    let extents = span.0.iter().zip(&span.1).take(rank).map(|(low, high)| (high - low) as f64 + 1.0);
-    Some((extents.product::<f64>() * sink.marks?.share()) as usize)
+    let Wanted::Parts(marks) = sink.wanted else { return None };
+    let extents = span.0.iter().zip(&span.1).take(rank).map(|(low, high)| high.abs_diff(*low) as f64 + 1.0);
+    Some((extents.product::<f64>() * marks.share()) as usize)
 }
 
 /// The least and largest keys of a loop; none where it has none.
@@ -321,13 +332,44 @@ pub(super) fn span<S: Space>(
     keys: &(dyn Fn(usize, &mut Sink) + Sync),
 ) -> Option<Span> {
     let spans = results_of_jobs(threads, blocks, |block| {
-        let mut sink = Sink::new(space, tiles, true);
+        let mut sink = Sink::new(space, tiles, Wanted::Span(NO_KEYS));
         keys(block, &mut sink);
-        sink.span
+        match sink.wanted {
+            Wanted::Span(span) => span,
+            _ => NO_KEYS,
+        }
     });
     let wider = |(low, high): ([i64; MAX_AXES], [i64; MAX_AXES]),
                  (lower, higher): ([i64; MAX_AXES], [i64; MAX_AXES])| {
         (core::array::from_fn(|a| low[a].min(lower[a])), core::array::from_fn(|a| high[a].max(higher[a])))
     };
-    spans.into_iter().flatten().reduce(wider).filter(|(low, high)| low[0] <= high[0])
+    spans.into_iter().reduce(wider).filter(|(low, high)| low[0] <= high[0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_are_found_whatever_the_keys_are() {
+        let far = i64::MAX;
+        for span in [([0; 4], [99; 4]), ([-far - 1; 4], [far; 4]), ([7; 4], [7; 4])] {
+            for rank in 1..=4 {
+                let mut marks = Marks::new(span, rank);
+                for key in [span.0, span.1, [far; 4], [-far; 4]] {
+                    marks.mark(key);
+                }
+                // Both ends, which of one cell are the same.
+                let ends = if span.0 == span.1 { 1.0 } else { 2.0 };
+                assert_eq!(marks.share() * (marks.parts as f64).powi(rank as i32), ends, "{span:?}, {rank} axes");
+            }
+        }
+    }
+
+    #[test]
+    fn the_share_of_parts_is_that_of_where_keys_lie() {
+        let mut marks = Marks::new(([0; 4], [1023; 4]), 2);
+        (0..512).for_each(|i| (0..256).for_each(|j| marks.mark([i, j, 0, 0])));
+        assert_eq!(marks.share(), 0.125);
+    }
 }

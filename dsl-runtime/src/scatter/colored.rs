@@ -3,7 +3,7 @@
 
 use core::cell::RefCell;
 
-use super::bins::{Bins, Sink, cells_around, span};
+use super::bins::{Bins, Sink, Wanted, cells_around, span};
 use super::late::Late;
 use super::share::Share;
 use super::tiles::Tiles;
@@ -73,7 +73,7 @@ impl<S: Space> Key<'_, S> {
         let asked = [1, 3, 5, 7].map(|n| blocks * n / 8);
         let keys = |n: usize, sink: &mut Sink| keys(asked[n], sink);
         let tiles = self.tiles(space, targets, 1, asked.len(), &keys);
-        let mut sink = Sink::new(space, &tiles, false);
+        let mut sink = Sink::new(space, &tiles, Wanted::Pieces);
         (0..asked.len()).for_each(|n| keys(n, &mut sink));
         let rank = targets[self.slot].rank();
         sink.is_scattered().then(|| cells_around(space, &tiles, rank, asked.len(), &keys))?

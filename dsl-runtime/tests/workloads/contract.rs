@@ -27,6 +27,30 @@ fn scatter_plainly(x: &Field<f32, _>, grid: &mut Field<f32, _>, a: f32) {
     }
 }
 
+/// A sum in a variable that its own factors change.
+#[kernel(contract)]
+fn changed_meanwhile(y: &mut Field<f32, _>, a: f32) {
+    for i in y {
+        let mut sum = 1.0;
+        sum += a * {
+            sum *= 2.0;
+            3.0
+        };
+        sum -= a * {
+            sum += 8.0;
+            0.5
+        };
+        y[i] = sum;
+    }
+}
+
+#[test]
+fn operands_are_evaluated_as_in_rust() {
+    let mut y = Field::<f32, Soa>::new([3]);
+    changed_meanwhile(&mut y, 4.0);
+    assert_eq!(y.to_vec(), [20.0; 3]);
+}
+
 /// The same as `sums`, every sum written out.
 fn by_hand(x: Vec2, y: Vec2, m: Mat2, a: f32, i: usize, fused: bool) -> Vec2 {
     let fma = |a: f32, b: f32, c: f32| if fused { a.mul_add(b, c) } else { a * b + c };

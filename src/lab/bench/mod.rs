@@ -15,7 +15,7 @@ use super::errors::LabError;
 use super::machine::{self, NamedSchedule};
 use super::output;
 use super::statistics::{median, spread};
-pub(super) use report::six_digits;
+use super::table::six_digits;
 pub use report::{Kernels, Report, Row};
 use text::{About, text};
 

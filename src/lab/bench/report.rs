@@ -62,11 +62,6 @@ impl Serialize for Kernels {
     }
 }
 
-/// Rounded to six digits: more are noise, and make the line unreadable.
-pub(in crate::lab) fn six_digits(value: f64) -> f64 {
-    format!("{value:.5e}").parse().unwrap_or(value)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -75,10 +70,5 @@ mod tests {
     fn the_report_is_one_line_with_kernels_in_order() {
         let kernels = Kernels(vec![("scatter".into(), 0.12), ("grid".into(), 0.03), ("gather".into(), 0.15)]);
         assert_eq!(serde_json::to_string(&kernels).unwrap(), r#"{"scatter":0.12,"grid":0.03,"gather":0.15}"#);
-    }
-
-    #[test]
-    fn six_digits_are_kept() {
-        assert_eq!(six_digits(0.123_456_789), 0.123457);
     }
 }

@@ -1,11 +1,10 @@
 //! Bars.
 
 use plotters::element::Rectangle;
-use plotters::prelude::{IntoDrawingArea, SVGBackend};
 use plotters::style::text_anchor::HPos;
 use plotters::style::{Color, FontStyle, RGBColor};
 
-use super::{Area, FAINT, INK, LINES, MARGIN, PAPER, SIGN, fault, line, write};
+use super::{Area, FAINT, INK, LINES, MARGIN, SIGN, fault, line, picture, write};
 use crate::lab::errors::LabError;
 
 /// A chart of horizontal bars from zero on.
@@ -70,14 +69,7 @@ impl BarChart {
             }
         }
         let height = HEAD + ROW * self.bars.len() as i32 + FOOT;
-        let mut svg = String::new();
-        {
-            let area = SVGBackend::with_string(&mut svg, (WIDTH as u32, height as u32)).into_drawing_area();
-            area.fill(&PAPER).map_err(fault)?;
-            self.draw(&area)?;
-            area.present().map_err(fault)?;
-        }
-        Ok(svg)
+        picture([WIDTH, height], |area| self.draw(area))
     }
 
     fn draw(&self, area: &Area<'_>) -> Result<(), LabError> {

@@ -1,11 +1,10 @@
 //! Lines over two logarithmic axes: what changes by factors.
 
 use plotters::element::{Circle, PathElement};
-use plotters::prelude::{IntoDrawingArea, SVGBackend};
 use plotters::style::text_anchor::HPos;
 use plotters::style::{Color, FontStyle, RGBColor};
 
-use super::{Area, FAINT, INK, LINES, MARGIN, PAPER, SIGN, fault, line, write};
+use super::{Area, FAINT, INK, LINES, MARGIN, SIGN, fault, line, picture, write};
 use crate::lab::errors::LabError;
 
 /// A chart of lines, both axes logarithmic.
@@ -117,15 +116,7 @@ impl LineChart {
                 return Err(LabError::failure(message));
             }
         }
-        let mut svg = String::new();
-        {
-            let [width, height] = SIZE.map(|pixels| pixels as u32);
-            let area = SVGBackend::with_string(&mut svg, (width, height)).into_drawing_area();
-            area.fill(&PAPER).map_err(fault)?;
-            self.draw(&area)?;
-            area.present().map_err(fault)?;
-        }
-        Ok(svg)
+        picture(SIZE, |area| self.draw(area))
     }
 
     fn draw(&self, area: &Area<'_>) -> Result<(), LabError> {

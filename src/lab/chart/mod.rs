@@ -7,7 +7,7 @@ use std::fmt::Display;
 
 use plotters::coord::Shift;
 use plotters::element::{PathElement, Text};
-use plotters::prelude::{DrawingArea, RGBColor, SVGBackend};
+use plotters::prelude::{DrawingArea, IntoDrawingArea, RGBColor, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontStyle, IntoFont};
 
@@ -26,6 +26,19 @@ const FAINT: RGBColor = RGBColor(107, 114, 128);
 const LINES: RGBColor = RGBColor(229, 231, 235);
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+/// The text of an SVG file of so many pixels across and down.
+fn picture(size: [i32; 2], draw: impl FnOnce(&Area<'_>) -> Result<(), LabError>) -> Result<String, LabError> {
+    let mut svg = String::new();
+    {
+        let [width, height] = size.map(|pixels| pixels as u32);
+        let area = SVGBackend::with_string(&mut svg, (width, height)).into_drawing_area();
+        area.fill(&PAPER).map_err(fault)?;
+        draw(&area)?;
+        area.present().map_err(fault)?;
+    }
+    Ok(svg)
+}
 
 fn line(area: &Area<'_>, ends: [(i32, i32); 2], colour: RGBColor) -> Result<(), LabError> {
     area.draw(&PathElement::new(ends.to_vec(), colour.stroke_width(1))).map_err(fault)

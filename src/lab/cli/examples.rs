@@ -52,8 +52,7 @@ Examples:
   allotrope compare taichi --python taichi/bin/python --threads 1
   allotrope compare taichi --workloads jacobi,mpm88-1m --pairs 15 --json taichi.json
 
-Workloads: saxpy, sum, jacobi, laplacian7, histogram, julia, nbody, mpm88-8k, mpm88-1m, sparse-laplacian, sparse-scale,
-launch. Both sides have the same inputs, and their results are compared before anything is timed. `tuned` is Taichi as an
+`allotrope list` tells the workloads. Both sides have the same inputs, and their results are compared before anything is timed. `tuned` is Taichi as an
 expert would write it (scatters in a serial loop without atomic adds, rows instead of a condition at each cell).";
 
 /// Of `scene`.

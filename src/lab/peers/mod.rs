@@ -9,6 +9,7 @@ mod taichi;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use allotrope::Schedule;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use self::bandwidth::Loop;
@@ -78,70 +79,74 @@ pub fn compare_taichi(plan: &Plan, json: Option<&Path>) -> Result<(), LabError> 
     }
 }
 
-/// A side of a comparison: what makes so many calls and tells the milliseconds of one.
-type Timed<'a> = Box<dyn FnMut(&mut Sides<'_>, usize) -> Result<f64, LabError> + 'a>;
+/// A side of a comparison.
+enum Side {
+    Ours(Box<dyn Work>),
+    Taichi(Variant),
+    Memory(Loop),
+}
 
-/// What the sides of a comparison work with.
-struct Sides<'a> {
-    work: &'a mut dyn Work,
-    taichi: Option<&'a mut Taichi>,
+impl Side {
+    /// Milliseconds of a call, the mean of so many.
+    fn time(
+        &mut self,
+        name: &str,
+        calls: usize,
+        schedule: &Schedule,
+        taichi: Option<&mut Taichi>,
+    ) -> Result<f64, LabError> {
+        let start = Instant::now();
+        match (self, taichi) {
+            (Self::Taichi(variant), Some(taichi)) => return taichi.time(name, *variant, calls),
+            (Self::Taichi(_), None) => unreachable!("there is no such side without Taichi"),
+            (Self::Ours(work), _) => repeat(schedule, &mut **work, calls)?,
+            (Self::Memory(stream), _) => (0..calls).for_each(|_| stream.run()),
+        }
+        Ok(start.elapsed().as_secs_f64() * 1e3 / calls as f64)
+    }
 }
 
 /// Repetitions of all sides of a workload in turn, after their results were found to agree.
-fn measure(workload: &Workload, taichi: Option<&mut Taichi>, plan: &Plan, threads: usize) -> Result<Row, LabError> {
+fn measure(workload: &Workload, mut taichi: Option<&mut Taichi>, plan: &Plan, threads: usize) -> Result<Row, LabError> {
     let (schedule, name) = (machine::SCHEDULES[0].with_threads(Some(threads)), workload.name);
-    let mut work = (workload.build)(&schedule)?;
+    let mut work = (workload.build)()?;
     let bytes = work.bytes();
     repeat(&schedule, &mut *work, 1)?;
     let result = work.result();
-    let mut sides = Sides { work: &mut *work, taichi };
-    let mut timed: Vec<Timed> = vec![Box::new(|sides, calls| {
-        let start = Instant::now();
-        repeat(&schedule, sides.work, calls)?;
-        Ok(start.elapsed().as_secs_f64() * 1e3 / calls as f64)
-    })];
-    let mut variants = Vec::new();
-    if let Some(taichi) = &mut sides.taichi {
+    let mut sides = vec![Side::Ours(work)];
+    if let Some(taichi) = taichi.as_deref_mut() {
         let theirs = taichi.build(name)?;
         for (variant, theirs) in [Variant::Written, Variant::Tuned].into_iter().zip(theirs) {
-            if (theirs - result).abs() > TOLERANCE * result.abs() {
+            if !agree(result, theirs) {
                 return Err(LabError::failure(format!(
                     "workload `{name}` comes to {result} here and to {theirs} in Taichi ({variant})"
                 )));
             }
-            variants.push(variant);
-            timed.push(Box::new(move |sides, calls| match &mut sides.taichi {
-                Some(taichi) => taichi.time(name, variant, calls),
-                None => Ok(f64::NAN),
-            }));
+            sides.push(Side::Taichi(variant));
         }
     }
     // How long a loop of memory would take for the workload's bytes, over how long it takes for its own.
     let mut share = f64::NAN;
     if let Some(stream) = workload.stream {
-        let mut stream = Loop::new(stream, bytes, threads);
+        let stream = Loop::new(stream, bytes, threads);
         share = bytes as f64 / stream.bytes() as f64;
-        timed.push(Box::new(move |_, calls| {
-            let start = Instant::now();
-            (0..calls).for_each(|_| stream.run());
-            Ok(start.elapsed().as_secs_f64() * 1e3 / calls as f64)
-        }));
+        sides.push(Side::Memory(stream));
     }
 
     let mut calls = Vec::new();
-    for (n, side) in timed.iter_mut().enumerate() {
-        let round = if n == 0 { workload.round } else { 1 };
-        side(&mut sides, round)?;
-        let once = side(&mut sides, round)?.max(1e-6);
+    for side in &mut sides {
+        let round = if matches!(side, Side::Ours(_)) { workload.round } else { 1 };
+        side.time(name, round, &schedule, taichi.as_deref_mut())?;
+        let once = side.time(name, round, &schedule, taichi.as_deref_mut())?.max(1e-6);
         let whole = (REPETITION / (once * round as f64)).ceil().clamp(1.0, 1e6) as usize;
         calls.push(whole * round);
     }
-    let sides_count = timed.len();
-    let mut samples = vec![Vec::new(); sides_count];
+    let count = sides.len();
+    let mut samples = vec![Vec::new(); count];
     for pair in 0..plan.pairs {
         // Each begins a round in turn, so that none always follows the same one.
-        for n in (0..sides_count).map(|n| (pair + n) % sides_count) {
-            samples[n].push(timed[n](&mut sides, calls[n])?);
+        for n in (0..count).map(|n| (pair + n) % count) {
+            samples[n].push(sides[n].time(name, calls[n], &schedule, taichi.as_deref_mut())?);
         }
     }
     let ours = &samples[0];
@@ -149,7 +154,10 @@ fn measure(workload: &Workload, taichi: Option<&mut Taichi>, plan: &Plan, thread
         let ratios: Vec<f64> = others.iter().zip(ours).map(|(other, ours)| other / ours).collect();
         median(&ratios)
     };
-    let of = |variant| variants.iter().position(|&there| there == variant).map(|at| &samples[1 + at]);
+    let of = |variant| {
+        let at = sides.iter().position(|side| matches!(side, Side::Taichi(there) if *there == variant));
+        at.map(|at| &samples[at])
+    };
     let (written, tuned) = (of(Variant::Written), of(Variant::Tuned));
     let moved = workload.stream.and(samples.last());
     Ok(Row::new(
@@ -159,4 +167,20 @@ fn measure(workload: &Workload, taichi: Option<&mut Taichi>, plan: &Plan, thread
         tuned.map(|samples| (median(samples), ratio(samples))),
         moved.map(|samples| (bytes as f64 / median(ours) / 1e6, share * ratio(samples))),
     ))
+}
+
+/// Whether two results are the same, as far as can be asked.
+fn agree(ours: f64, theirs: f64) -> bool {
+    (theirs - ours).abs() <= TOLERANCE * ours.abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_number_agrees_with_nothing() {
+        assert!(agree(-2.0, -2.01) && !agree(-2.0, -2.1) && !agree(-2.0, 2.0));
+        assert!(!agree(1.0, f64::NAN) && !agree(f64::NAN, f64::NAN) && !agree(f64::INFINITY, f64::INFINITY));
+    }
 }

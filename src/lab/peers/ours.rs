@@ -1,7 +1,6 @@
 //! The workloads on our side. Inputs and sizes are those of `benches/peers`.
 
 use allotrope::prelude::*;
-
 use allotrope_solvers::scene::Reorder;
 
 use super::bandwidth::Stream;
@@ -25,7 +24,7 @@ pub struct Workload {
     /// Calls that belong together.
     pub(super) round: usize,
     /// Makes its fields.
-    pub(super) build: fn(&Schedule) -> Result<Box<dyn Work>, LabError>,
+    pub(super) build: fn() -> Result<Box<dyn Work>, LabError>,
 }
 
 /// A workload with its fields.
@@ -85,19 +84,19 @@ macro_rules! workloads {
 }
 
 workloads! {
-    "saxpy": "y += a x of 2^24 values", Some(Stream::Update), 1, |_| saxpy();
-    "sum": "the sum of 2^24 values", Some(Stream::Read), 1, |_| sum();
-    "jacobi": "Jacobi's 5-point step over 2048^2", Some(Stream::Scale), 1, |_| jacobi();
-    "laplacian7": "the 7-point Laplacian of 192^3", Some(Stream::Scale), 1, |_| laplacian();
-    "histogram": "2^22 keys to 256 counts", Some(Stream::Read), 1, |_| histogram();
-    "julia": "a Julia set of 640 x 320, 50 iterations", Some(Stream::Scale), 1, |_| julia();
-    "nbody": "direct forces of 4096 bodies", Some(Stream::Scale), 1, |_| nbody();
-    "mpm88-8k": "a step of MLS-MPM, 8192 particles on 128^2", Some(Stream::Update), 1, |_| fluid(8192, 128, Reorder::Never);
+    "saxpy": "y += a x of 2^24 values", Some(Stream::Update), 1, saxpy;
+    "sum": "the sum of 2^24 values", Some(Stream::Read), 1, sum;
+    "jacobi": "Jacobi's 5-point step over 2048^2", Some(Stream::Scale), 1, jacobi;
+    "laplacian7": "the 7-point Laplacian of 192^3", Some(Stream::Scale), 1, laplacian;
+    "histogram": "2^22 keys to 256 counts", Some(Stream::Read), 1, histogram;
+    "julia": "a Julia set of 640 x 320, 50 iterations", Some(Stream::Scale), 1, julia;
+    "nbody": "direct forces of 4096 bodies", Some(Stream::Scale), 1, nbody;
+    "mpm88-8k": "a step of MLS-MPM, 8192 particles on 128^2", Some(Stream::Update), 1, || fluid(8192, 128, Reorder::Never);
     "mpm88-1m": "the same, 2^20 particles on 1024^2, sorting included", Some(Stream::Update), SORTED_EVERY as usize,
-        |_| fluid(1 << 20, 1024, Reorder::Every(SORTED_EVERY));
-    "sparse-laplacian": "the 7-point Laplacian of 3 M voxels of a shell in 512^3", Some(Stream::Scale), 1, |_| shell();
-    "sparse-scale": "scaling the same voxels", Some(Stream::Scale), 1, |_| scaling();
-    "launch": "a loop over one cell", None, 1, |_| launch();
+        || fluid(1 << 20, 1024, Reorder::Every(SORTED_EVERY));
+    "sparse-laplacian": "the 7-point Laplacian of 3 M voxels of a shell in 512^3", Some(Stream::Scale), 1, shell;
+    "sparse-scale": "scaling the same voxels", Some(Stream::Scale), 1, scaling;
+    "launch": "a loop over one cell", None, 1, launch;
 }
 
 fn mean(values: impl IntoIterator<Item = f64>) -> f64 {

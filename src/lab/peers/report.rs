@@ -2,9 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::lab::bench::six_digits;
 use crate::lab::machine;
-use crate::lab::table::{Table, four_digits};
+use crate::lab::table::{Table, four_digits, six_digits};
 
 /// What `--json` writes.
 #[derive(Debug, Deserialize, Serialize)]

@@ -40,6 +40,8 @@ pub(super) struct Taichi {
     orders: ChildStdin,
     answers: BufReader<ChildStdout>,
     version: String,
+    /// What it says besides, which a pipe that nobody reads would hold up.
+    says: NamedTempFile,
     /// Python reads it anew for each kernel.
     _program: NamedTempFile,
 }
@@ -64,22 +66,24 @@ impl Taichi {
             let mut file = tempfile::Builder::new().prefix("taichi").suffix(".py").tempfile()?;
             file.write_all(PROGRAM.as_bytes())?;
             file.flush()?;
-            Ok::<_, std::io::Error>(file)
+            let says = NamedTempFile::new()?;
+            let into = says.reopen()?;
+            Ok::<_, std::io::Error>((file, says, into))
         };
-        let program = file().map_err(|error| format!("the Taichi program cannot be written: {error}"))?;
+        let (program, says, into) = file().map_err(|error| format!("the Taichi program cannot be written: {error}"))?;
         let mut child = Command::new(python)
             .arg(program.path())
             .env("ENABLE_TAICHI_HEADER_PRINT", "0")
             .env("THREADS", threads.to_string())
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
+            .stderr(into)
             .spawn()
             .map_err(|error| format!("`{shown}` cannot be run: {error}"))?;
         let (Some(orders), Some(answers)) = (child.stdin.take(), child.stdout.take()) else {
             return Err(format!("`{shown}` cannot be talked to"));
         };
-        Ok(Self { child, orders, answers: BufReader::new(answers), version: version.into(), _program: program })
+        Ok(Self { child, orders, answers: BufReader::new(answers), version: version.into(), says, _program: program })
     }
 
     /// Its version.
@@ -119,8 +123,10 @@ impl Taichi {
     /// The last line that it wrote to the standard error.
     fn last_words(&mut self) -> String {
         let _ = self.child.kill();
-        let lines = self.child.stderr.take().map(|stderr| BufReader::new(stderr).lines().map_while(Result::ok));
-        lines.and_then(Iterator::last).unwrap_or_else(|| "it says nothing".into())
+        let _ = self.child.wait();
+        let said = std::fs::read(self.says.path()).unwrap_or_default();
+        let last = String::from_utf8_lossy(&said).lines().last().map(String::from);
+        last.unwrap_or_else(|| "it says nothing".into())
     }
 }
 

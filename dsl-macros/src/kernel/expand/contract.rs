@@ -19,15 +19,22 @@ pub(super) fn prepare(task: &Ident) -> TokenStream {
     quote!(use #private::{FuseAny as _, FuseKnown as _}; let #fused = #task.fused();)
 }
 
-/// How a product meets the third operand.
-#[derive(Clone, Copy, PartialEq)]
+/// How a product meets the third operand, `c`.
+#[derive(Clone, Copy)]
 pub(super) enum Meeting {
-    /// `a * b + c`, or `c + a * b` if `last`.
-    Plus { last: bool },
+    /// `a * b + c`.
+    Plus,
     /// `a * b - c`.
     Minus,
     /// `c - a * b`.
     From,
+}
+
+/// Which is evaluated first, the product or the third operand.
+#[derive(Clone, Copy)]
+pub(super) enum First {
+    Product,
+    Third,
 }
 
 /// The factors of a product.
@@ -43,41 +50,34 @@ pub(super) fn product(expr: &Expr) -> Option<(&Expr, &Expr)> {
 /// What an expression becomes that adds a product or takes it away, its operands rewritten already.
 pub(super) fn rewritten(expr: &Expr) -> Option<TokenStream> {
     let Expr::Binary(ExprBinary { left, op, right, .. }) = expr else { return None };
-    let parts = |product: (&Expr, &Expr), other: &Expr, meeting| {
+    let parts = |product: (&Expr, &Expr), other: &Expr, meeting, first| {
         contracted(
             product.0.to_token_stream(),
             product.1.to_token_stream(),
             other.to_token_stream(),
             meeting,
+            first,
             op.span(),
         )
     };
     match op {
         BinOp::Add(_) => match (product(left), product(right)) {
-            (Some(factors), _) => Some(parts(factors, right, Meeting::Plus { last: false })),
-            (None, Some(factors)) => Some(parts(factors, left, Meeting::Plus { last: true })),
+            (Some(factors), _) => Some(parts(factors, right, Meeting::Plus, First::Product)),
+            (None, Some(factors)) => Some(parts(factors, left, Meeting::Plus, First::Third)),
             (None, None) => None,
         },
         BinOp::Sub(_) => match (product(left), product(right)) {
-            (Some(factors), _) => Some(parts(factors, right, Meeting::Minus)),
-            (None, Some(factors)) => Some(parts(factors, left, Meeting::From)),
+            (Some(factors), _) => Some(parts(factors, right, Meeting::Minus, First::Product)),
+            (None, Some(factors)) => Some(parts(factors, left, Meeting::From, First::Third)),
             (None, None) => None,
         },
-        // A sum in a variable of the body.
+        // A sum in a variable of the body, which is read last, as in Rust.
         BinOp::AddAssign(_) | BinOp::SubAssign(_) => {
             name_of(left)?;
-            let value = parts(product(right)?, left, meeting_of(op)?);
+            let meeting = if matches!(op, BinOp::AddAssign(_)) { Meeting::Plus } else { Meeting::From };
+            let value = parts(product(right)?, left, meeting, First::Product);
             Some(quote!(#left = #value))
         }
-        _ => None,
-    }
-}
-
-/// How `target += a * b` and `target -= a * b` are written out.
-fn meeting_of(op: &BinOp) -> Option<Meeting> {
-    match op {
-        BinOp::AddAssign(_) => Some(Meeting::Plus { last: true }),
-        BinOp::SubAssign(_) => Some(Meeting::From),
         _ => None,
     }
 }
@@ -88,26 +88,27 @@ pub(super) fn contracted(
     b: TokenStream,
     c: TokenStream,
     meeting: Meeting,
+    first: First,
     span: proc_macro2::Span,
 ) -> TokenStream {
     let private = private();
-    let [x, y, z] = ["x", "y", "z"].map(hidden);
+    let [x, y, z, plain] = ["x", "y", "z", "plain"].map(hidden);
     let fused = fused();
-    let (operands, names) = match meeting {
-        Meeting::Plus { last: false } | Meeting::Minus => (quote!((#a), (#b), (#c)), quote!(#x, #y, #z)),
-        Meeting::Plus { last: true } | Meeting::From => (quote!((#c), (#a), (#b)), quote!(#z, #x, #y)),
+    let (operands, names) = match first {
+        First::Product => (quote!((#a), (#b), (#c)), quote!(#x, #y, #z)),
+        First::Third => (quote!((#c), (#a), (#b)), quote!(#z, #x, #y)),
     };
     // Plain operators tell the types, also of literals, and are what an operand without a fused form is left with.
-    let (plain, method) = match meeting {
-        Meeting::Plus { last: false } => (quote_spanned!(span=> #x * #y + #z), quote!(plus)),
-        Meeting::Plus { last: true } => (quote_spanned!(span=> #z + #x * #y), quote!(plus)),
-        Meeting::Minus => (quote_spanned!(span=> #x * #y - #z), quote!(minus)),
-        Meeting::From => (quote_spanned!(span=> #z - #x * #y), quote!(from)),
+    let (sum, method) = match (meeting, first) {
+        (Meeting::Plus, First::Product) => (quote_spanned!(span=> #x * #y + #z), quote!(plus)),
+        (Meeting::Plus, First::Third) => (quote_spanned!(span=> #z + #x * #y), quote!(plus)),
+        (Meeting::Minus, _) => (quote_spanned!(span=> #x * #y - #z), quote!(minus)),
+        (Meeting::From, _) => (quote_spanned!(span=> #z - #x * #y), quote!(from)),
     };
     quote!((match (#operands) {
         (#names) => {
-            let __plain = #plain;
-            (&#private::Contracted(#x, #y, #z, __plain)).#method(#fused)
+            let #plain = #sum;
+            (&#private::Contracted(#x, #y, #z, #plain)).#method(#fused)
         }
     }))
 }

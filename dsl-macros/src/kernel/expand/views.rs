@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
-use super::contract::{self, Meeting};
+use super::contract::{self, First, Meeting};
 use super::launch::Launch;
 use super::names::{Ends, handle, hidden, private, span, unchecked};
 use super::reductions::kind;
@@ -91,14 +91,14 @@ fn contracted_update(
 ) -> Option<(TokenStream, TokenStream)> {
     let Action::Update { part, op, value: written } = action else { return None };
     let meeting = match op {
-        Op::Add => Meeting::Plus { last: false },
+        Op::Add => Meeting::Plus,
         Op::Sub => Meeting::From,
         _ => return None,
     };
     let (a, b) = contract::product(written).filter(|_| rewrite.contracts())?;
     let (a, b, part) = (rewrite.expr(a), rewrite.expr(b), rewrite.part(part));
     let place = quote!(#target #part);
-    let sum = contract::contracted(quote!(#value.0), quote!(#value.1), place.clone(), meeting, span);
+    let sum = contract::contracted(quote!(#value.0), quote!(#value.1), place.clone(), meeting, First::Product, span);
     Some((quote!((#a, #b)), quote!(#place = #sum;)))
 }
 
