@@ -73,6 +73,8 @@ codes! {
     FuncMember = A0123,
     /// `#[relaxed]` on a loop that is not parallel.
     RelaxedPlace = A0124,
+    /// `lanes` where there is nothing to gain, or what a loop in lanes cannot do.
+    Lanes = A0125,
     /// A member written at an iteration's own index and read at another.
     InPlaceStencil = A0201,
     /// A member written at an index that several iterations may share.

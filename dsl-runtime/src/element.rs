@@ -17,6 +17,9 @@ pub unsafe trait Scalar: Copy + Send + Sync + PartialEq + core::fmt::Debug + Sea
     /// Which one it is, as data.
     #[doc(hidden)]
     const KIND: Kind;
+    /// `new` where all bits of the mask are set, and `old` where none is: without a branch.
+    #[doc(hidden)]
+    fn blend(mask: u32, new: Self, old: Self) -> Self;
 }
 
 /// A scalar type as data.
@@ -109,12 +112,18 @@ pub trait Packed: Element {}
 impl<T: Packed, const N: usize> Packed for [T; N] {}
 
 macro_rules! scalars {
-    ($($scalar:ty, $kind:ident;)*) => {$(
+    ($($scalar:ty, $kind:ident, $bits:ty: $to:expr, $from:expr;)*) => {$(
         impl Sealed for $scalar {}
         impl Packed for $scalar {}
         // SAFETY: a primitive of equal size and alignment on the supported targets; fields hold only bytes written from values, or zeros.
         unsafe impl Scalar for $scalar {
             const KIND: Kind = Kind::$kind;
+            #[inline(always)]
+            fn blend(mask: u32, new: Self, old: Self) -> Self {
+                let (to, from): (fn($scalar) -> $bits, fn($bits) -> $scalar) = ($to, $from);
+                let mask = mask.cast_signed() as $bits;
+                from((to(new) & mask) | (to(old) & !mask))
+            }
         }
         // SAFETY: one component, itself.
         unsafe impl Element for $scalar {
@@ -147,7 +156,10 @@ macro_rules! scalars {
     )*};
 }
 scalars! {
-    f32, F32; f64, F64; i8, I8; i16, I16; i32, I32; i64, I64; u8, U8; u16, U16; u32, U32; u64, U64; bool, Bool;
+    f32, F32, u32: f32::to_bits, f32::from_bits; f64, F64, u64: f64::to_bits, f64::from_bits;
+    i8, I8, i8: |x| x, |x| x; i16, I16, i16: |x| x, |x| x; i32, I32, i32: |x| x, |x| x; i64, I64, i64: |x| x, |x| x;
+    u8, U8, u8: |x| x, |x| x; u16, U16, u16: |x| x, |x| x; u32, U32, u32: |x| x, |x| x; u64, U64, u64: |x| x, |x| x;
+    bool, Bool, u8: u8::from, |x| x != 0;
 }
 
 /// Elements that are their components in memory order: one unaligned move when the components lie together.

@@ -92,6 +92,10 @@ impl<I: Representation> Sealed for Code<I> {}
 // SAFETY: the same size, alignment and bit patterns as the integer, which is a scalar.
 unsafe impl<I: Representation> Scalar for Code<I> {
     const KIND: Kind = I::KIND;
+    #[inline(always)]
+    fn blend(mask: u32, new: Self, old: Self) -> Self {
+        Self(I::blend(mask, new.0, old.0))
+    }
 }
 
 /// Makes an [`Enumeration`] an [`Element`]: the name of a type, and nothing else that could slip into what is unsafe. What `#[derive(Element)]` calls, so that `unsafe` stands here. No blanket

@@ -296,6 +296,40 @@
 //! assert_eq!(y.get(3), 1.0);
 //! ```
 //!
+//! # Lanes
+//!
+//! The compiler makes vectors of a loop whose body computes and stores. Where the body has loops of its own it does not: there `#[kernel(lanes = 16)]`
+//! runs 16 neighbouring elements of a row at a time. The body is cut at its `for` and `while` loops, each stretch runs for all lanes before the next, and lanes
+//! that have left a loop, or do not enter a branch around one, wait. Each element does what it would do alone, in the same order, so that results are the same
+//! bits, and the body stays what it is: any type and function may be used. A direct sum over all pairs of bodies ran 8 times as fast, an
+//! escape-time fractal 6 times (AVX-512).
+//!
+//! ```
+//! use allotrope::prelude::*;
+//!
+//! #[kernel(lanes = 16)]
+//! fn rounds(x: &Field<f32, _>, y: &mut Field<u32, _>) {
+//!     for i in y {
+//!         let (mut value, mut rounds) = (x[i], 0);
+//!         while value > 1.0 {
+//!             value *= 0.5;
+//!             rounds += 1;
+//!         }
+//!         y[i] = rounds;
+//!     }
+//! }
+//!
+//! let x = Field::<f32, Soa>::new([100]).with_background(5.0);
+//! let mut y = Field::<u32, Soa>::new([100]);
+//! rounds(&x, &mut y);
+//! assert_eq!(y.get(3), 3);
+//! ```
+//!
+//! Numbers of lanes are 4, 8, 16, 32 and 64; 16 is a good start. Rows shorter than that, and the rest of longer ones, go one by one. Loops over what is the same for all
+//! elements gain most; a range of each element's own (`0..count[i]`) lasts as long as its longest lane, and loops over anything else, or with `break` and
+//! `continue`, run lane after lane. Variables that are kept from one stretch to the next are elements (or `usize`). A loop in lanes
+//! [accumulates into no field](crate::errors::A0125).
+//!
 //! # Schedules
 //!
 //! A [`Schedule`] says how launches run; results but for rounding do not depend on it. It holds for calls in a closure,

@@ -7,6 +7,7 @@ pub use crate::exchange::{
 };
 pub use crate::field::{Entries, EntryTuples, Handle, Storage};
 pub use crate::index::wide;
+pub use crate::launch::{Batch, InLanes, Lane, Lanes, Mask, Part, Width, ends};
 pub use crate::launch::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, sifted};
 pub use crate::launch::{
     Cell, Options, Outs, Partial, Reduction, Run, Space, Strip, Task, interior, launch, launch_keyed, launch_own,

@@ -3,7 +3,7 @@
 use allotrope::prelude::*;
 
 /// The acceleration of every body by all of them, softened.
-#[kernel]
+#[kernel(lanes = 16)]
 pub fn gravitate(x: &Field<Vec3, _>, a: &mut Field<Vec3, _>) {
     let count = x.len() as i32;
     for i in a {
@@ -19,7 +19,7 @@ pub fn gravitate(x: &Field<Vec3, _>, a: &mut Field<Vec3, _>) {
 }
 
 /// Iterations of z^2 + c until |z| reaches 20, at most 50.
-#[kernel]
+#[kernel(lanes = 16)]
 pub fn julia(counts: &mut Field<u32, _, Ij>, im: f32) {
     let [width, height] = counts.shape().map(|n| n as i32);
     for (i, j) in counts {

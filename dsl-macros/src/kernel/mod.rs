@@ -5,6 +5,7 @@ mod check;
 mod expand;
 pub(crate) mod func;
 mod key;
+mod lanes;
 mod lower;
 mod model;
 mod offsets;

@@ -23,6 +23,8 @@ pub(crate) struct Kernel {
     pub(crate) unknown_options: Vec<TokenStream>,
     /// Whether a product that is added to something may be rounded with it.
     pub(crate) contract: bool,
+    /// How many elements go through a body with inner loops together.
+    pub(crate) lanes: Option<Width>,
     /// Whether callers promise that indices lie within their fields.
     pub(crate) unchecked: bool,
     /// The parameters that are fields.
@@ -53,6 +55,13 @@ pub(crate) enum Suspicion {
     Unrolled { around: u64, bodies: u64, at: Spot },
     /// `random(seed, key)` in a parallel loop.
     Random { parallel: usize, arguments: Spot, call: Spot },
+}
+
+/// `lanes = 16`.
+pub(crate) struct Width {
+    /// The number, where it is one.
+    pub(crate) lanes: Option<usize>,
+    pub(crate) spot: Spot,
 }
 
 /// A parameter that is a field, or used as one.

@@ -3,9 +3,9 @@
 use proc_macro2::{TokenStream, TokenTree};
 use syn::{AttrStyle, FnArg, ItemFn, Pat, Type};
 
-use super::model::{FieldParam, Storage};
+use super::model::{FieldParam, Spot, Storage, Width};
 use super::slices;
-use super::syntax::{axes_rank, bare_type, last_segment, type_arguments};
+use super::syntax::{axes_rank, bare_type, integer, last_segment, type_arguments};
 use crate::diagnostics::{Code, Diagnostics};
 
 /// Reads the function; what has no body or is no function is reported.
@@ -41,6 +41,8 @@ pub(super) struct Options {
     pub(super) unchecked: bool,
     /// `contract`.
     pub(super) contract: bool,
+    /// `lanes = 16`.
+    pub(super) lanes: Option<Width>,
     /// Others, of which there are none.
     pub(super) unknown: Vec<TokenStream>,
 }
@@ -55,10 +57,20 @@ pub(super) fn options(tokens: TokenStream) -> Options {
         match option.to_string().as_str() {
             "unchecked" => options.unchecked = true,
             "contract" => options.contract = true,
+            text if text.split('=').next().is_some_and(|word| word.trim() == "lanes") => {
+                options.lanes = Some(width(&option));
+            }
             _ => options.unknown.push(option),
         }
     }
     options
+}
+
+/// The number in `lanes = 16`.
+fn width(option: &TokenStream) -> Width {
+    let parsed = syn::parse2::<syn::MetaNameValue>(option.clone());
+    let lanes = parsed.ok().and_then(|option| integer(&option.value)).and_then(|lanes| usize::try_from(lanes).ok());
+    Width { lanes, spot: Spot::new(option) }
 }
 
 /// The parameters that are fields taken by reference, or used as such, as far as their types tell.

@@ -2,6 +2,7 @@
 
 mod bricks;
 pub(crate) mod cpu;
+mod lanes;
 mod pool;
 #[cfg(not(allotrope_joined_threads))]
 mod post;
@@ -22,6 +23,7 @@ use core::marker::PhantomData;
 use core::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
+pub use lanes::{Batch, InLanes, Lane, Lanes, Mask, Part, Width, ends};
 pub use reduction::{Partial, Reduction, Strip, reduction};
 pub use run::{Cell, Run};
 pub(crate) use run::{copies_rows, stay_scalar};

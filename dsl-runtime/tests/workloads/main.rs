@@ -4,6 +4,7 @@
 mod conjugate_gradient;
 mod contract;
 mod elasticity;
+mod lanes;
 mod mpm;
 mod multigrid;
 mod neighbours;

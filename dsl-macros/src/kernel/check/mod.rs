@@ -2,6 +2,7 @@
 
 mod findings;
 mod indices;
+mod lanes;
 mod lints;
 mod loops;
 mod names;
@@ -21,5 +22,6 @@ pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
     indices::check(kernel, diagnostics);
     races::check(kernel, diagnostics);
     topology::check(kernel, diagnostics);
+    lanes::check(kernel, diagnostics);
     lints::check(kernel, diagnostics);
 }

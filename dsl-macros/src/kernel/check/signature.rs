@@ -23,14 +23,14 @@ pub(super) fn check(kernel: &Kernel, diagnostics: &mut Diagnostics) {
 fn options(kernel: &Kernel, diagnostics: &mut Diagnostics) {
     for option in &kernel.unknown_options {
         let word = option.clone().into_iter().next().map(|token| token.to_string()).unwrap_or_default();
-        if ["lanes", "grad", "finite"].contains(&word.as_str()) {
+        if ["grad", "finite"].contains(&word.as_str()) {
             let message = format!("`#[kernel({word})]` is not available in this version");
             diagnostics.error(Code::KernelOption, option, message).help("write `#[kernel]`");
         } else {
             let message = format!("`#[kernel]` has no option `{}`", text(option));
             diagnostics
                 .error(Code::KernelOption, option, message)
-                .help("write `#[kernel]`, `#[kernel(contract)]` to let `a * b + c` be rounded once, or `#[kernel(unchecked)]` to leave index checks out");
+                .help("write `#[kernel]`, `#[kernel(lanes = 16)]` to run loops with inner loops on vectors, `#[kernel(contract)]` to let `a * b + c` be rounded once, or `#[kernel(unchecked)]` to leave index checks out");
         }
     }
 }

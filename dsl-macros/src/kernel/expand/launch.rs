@@ -10,9 +10,10 @@ use syn::Expr;
 
 use super::names::{self, Ends, handle, hidden, label, numbered, paths, plain, private, span};
 use super::rewrite::{Rewrite, Scope};
-use super::{captures, contract, reductions};
+use super::{captures, contract, lanes, reductions};
 use crate::kernel::access::{Plan, View, plan};
 use crate::kernel::key;
+use crate::kernel::lanes::is_cut;
 use crate::kernel::model::{Boundary, Branch, Call, Capture, Group, Head, Kernel, Loop, Sieve};
 
 /// A loop under expansion.
@@ -442,8 +443,19 @@ impl Launch<'_> {
         let element = label("element");
         let body = if self.parallel.continues { quote!(#element: #body) } else { body };
         let reductions::Pieces { strips, identities, puts, absorbs, .. } = pieces;
-        let each = quote! {
-            #run.each(#halo, #[inline(always)] |#cell| { #variables #hoists #identities #body #puts });
+        let element = quote!(#variables #hoists #identities #body #puts);
+        let each = match self.width().map(Literal::usize_unsuffixed) {
+            Some(width) => {
+                let (private, part, batch) = (private(), hidden("part"), hidden("batch"));
+                let lanes = lanes::body(self, rewrite, pieces, hoists);
+                quote! {
+                    #run.batches(#private::Width::<#width>, #halo, #[inline(always)] |#part| match #part {
+                        #private::Part::Batch(#batch) => { #lanes }
+                        #private::Part::Cell(#cell) => { #element }
+                    });
+                }
+            }
+            None => quote!(#run.each(#halo, #[inline(always)] |#cell| { #element });),
         };
         let each = if self.parallel.reductions.is_empty() {
             each
@@ -451,6 +463,11 @@ impl Launch<'_> {
             quote!(#run.strips(#[inline(always)] |#run| { #strips #each #absorbs });)
         };
         quote!(#views #each #flushes)
+    }
+
+    /// How many elements go through the body together.
+    pub(super) fn width(&self) -> Option<usize> {
+        self.kernel.lanes.as_ref().filter(|_| is_cut(&self.parallel.body))?.lanes
     }
 
     /// Whether what is written to a field waits until the end of a run: where rows are read from elsewhere, which the compiler cannot tell

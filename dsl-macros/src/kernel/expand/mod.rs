@@ -5,6 +5,7 @@ mod captures;
 mod contract;
 mod host;
 mod key;
+mod lanes;
 mod launch;
 pub(super) mod names;
 mod reductions;

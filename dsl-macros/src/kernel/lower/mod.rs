@@ -56,6 +56,7 @@ fn walk(mut function: ItemFn, options: TokenStream, mode: Mode) -> Kernel {
         function,
         unchecked: options.unchecked,
         contract: options.contract,
+        lanes: options.lanes,
         unknown_options: options.unknown,
         fields,
         nodes: Vec::new(),

@@ -10,6 +10,7 @@ mod contract;
 mod expansions;
 mod functions;
 mod heads;
+mod lanes;
 mod lints;
 mod names;
 mod races;
