@@ -1,6 +1,7 @@
 //! `#[kernel]`: tokens are parsed, made into a model, checked, and expanded.
 
 mod access;
+mod arithmetic;
 mod check;
 mod expand;
 pub(crate) mod func;

@@ -3,20 +3,23 @@
 use core::marker::PhantomData;
 use core::ops::Range;
 
-use super::run::Run;
+use super::run::{Mask, Run};
 use super::space::{Cells, Space};
 use crate::axes::{Axes, MAX_AXES, PerAxis, all, per_axis};
-use crate::layout::Layout;
 use crate::layout::node::{Chained, nth_row, rows};
+use crate::layout::{Layout, Map};
 use crate::record::{Path, Record};
 use crate::store::active::{ActiveBrick, ActiveList, next_bit};
 
 /// How many blocks ahead the first line of a block is asked for: blocks lie anywhere, which no processor foresees.
 const AHEAD: usize = 4;
 
+/// Bytes a cache line.
+const LINE: usize = 64;
+
 /// Asks for a line of memory, perhaps in vain.
 #[inline(always)]
-fn prefetch(at: *const u8) {
+pub(crate) fn prefetch(at: *const u8) {
     #[cfg(all(target_arch = "x86_64", not(miri)))]
     // SAFETY: a hint, which reads nothing.
     unsafe {
@@ -31,7 +34,7 @@ const TABLED: usize = 256;
 
 impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
     /// Cells that share one activity bit; 0 where a block is active as a whole.
-    const GRAIN: usize = match &<Self as Chained<X>>::CHAIN.tree {
+    pub(super) const GRAIN: usize = match &<Self as Chained<X>>::CHAIN.tree {
         Some(tree) => tree.grain,
         None => 0,
     };
@@ -57,6 +60,12 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
         let extent = <Self as Space>::EXTENT;
         let long = (1 << 16) - 1;
         Self::ROWS <= TABLED && extent[0] < long && extent[1] < long && extent[2] < long && extent[3] < long
+    };
+
+    /// Cache lines a row of a block, all members counted; none where that is more than a loop might touch.
+    const LINES: usize = {
+        let lines = Map::<R, L, X>::block_bytes(P::OFFSET).div_ceil(LINE * Self::ROWS);
+        if lines <= 2 { lines } else { 0 }
     };
 
     /// Where a row of a block begins.
@@ -93,6 +102,9 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
                 self.entries(brick, from..to, fits, run);
             } else if LIGHT && Self::GRAIN == 0 && from == 0 && to == work && self.is_inside(brick) {
                 self.whole_brick(brick, fits, run);
+            } else if LIGHT && const { <Self as Space>::MASKED } {
+                let row = |part: usize| (part * Self::ROWS).div_ceil(work);
+                self.masked_rows(list, n, row(from)..row(to), fits, run);
             } else {
                 // Rows are dealt out in the proportion of the work: the same cut for the job before and for the one behind.
                 let row = |part: usize| (part * Self::ROWS).div_ceil(work);
@@ -137,9 +149,80 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             #[inline(always)]
             |inner| {
                 let (at, len) = (self.start(block, inner), <Self as Space>::RUN);
-                run(Run { at, first: 0, len, block, inner, brick, root, whole: true, fits, owner: PhantomData });
+                run(Run {
+                    at,
+                    first: 0,
+                    len,
+                    block,
+                    inner,
+                    brick,
+                    root,
+                    whole: true,
+                    fits,
+                    mask: None,
+                    next: None,
+                    owner: PhantomData,
+                });
             },
         );
+    }
+
+    /// Visits some rows of a block whose elements have a bit each.
+    #[inline(always)]
+    fn masked_rows(
+        &self,
+        list: &ActiveList,
+        n: usize,
+        rows: Range<usize>,
+        fits: bool,
+        run: &mut impl FnMut(Run<'_, Self>),
+    ) {
+        let len = <Self as Space>::RUN;
+        let all = u64::MAX >> (64 - len);
+        let (brick, bits) = (&list.bricks[n], list.bits(n));
+        let (block, root, inside) = (Self::block_number(brick), self.root(), self.is_inside(brick));
+        let brick = brick.start;
+        let ahead = list.bricks.get(n + 1);
+        let next = ahead.map(Self::block_number);
+        let ahead = ahead.map_or(brick, |ahead| ahead.start);
+        for r in rows {
+            // A line or two of the block behind for each row of this one, so that all of it is there in time.
+            for line in 0..Self::LINES {
+                prefetch(ahead.wrapping_add((r * Self::LINES + line) * LINE));
+            }
+            let (word, by) = (r * len / 64, r * len % 64);
+            let mut mask = bits[word] >> by;
+            if 64 % len != 0 && by + len > 64 {
+                mask |= bits[word + 1] << (64 - by);
+            }
+            mask &= all;
+            if mask == 0 {
+                continue;
+            }
+            let inner = Self::row_place(r);
+            if !inside {
+                let (first, end) = self.cut(block, inner);
+                mask &= if first < end { (u64::MAX >> (64 - (end - first))) << first } else { 0 };
+                if mask == 0 {
+                    continue;
+                }
+            }
+            let (at, mask) = (self.start(block, inner), Some(Mask(mask)));
+            run(Run {
+                at,
+                first: 0,
+                len,
+                block,
+                inner,
+                brick,
+                root,
+                whole: false,
+                fits,
+                mask,
+                next,
+                owner: PhantomData,
+            });
+        }
     }
 
     /// Visits the active elements of some rows of a block.
@@ -177,7 +260,20 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
                 if first < stop_here {
                     let (brick, len) = (brick.start, stop_here - first);
                     let whole = len == length;
-                    run(Run { at, first, len, block, inner, brick, root, whole, fits, owner: PhantomData });
+                    run(Run {
+                        at,
+                        first,
+                        len,
+                        block,
+                        inner,
+                        brick,
+                        root,
+                        whole,
+                        fits,
+                        mask: None,
+                        next: None,
+                        owner: PhantomData,
+                    });
                 }
                 k = match Self::GRAIN {
                     1 => next_bit(bits, first_bit + stop, first_bit + length, true) - first_bit,
@@ -206,7 +302,20 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
         let (first, end) = (first.max(part.start), end.min(part.end));
         if first < end {
             let (at, len, brick) = (self.start(block, inner), end - first, brick.start);
-            run(Run { at, first, len, block, inner, brick, root, whole: false, fits, owner: PhantomData });
+            run(Run {
+                at,
+                first,
+                len,
+                block,
+                inner,
+                brick,
+                root,
+                whole: false,
+                fits,
+                mask: None,
+                next: None,
+                owner: PhantomData,
+            });
         }
     }
 }

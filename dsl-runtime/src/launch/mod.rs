@@ -23,6 +23,7 @@ use core::marker::PhantomData;
 use core::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
+pub(crate) use bricks::prefetch;
 pub use lanes::{Batch, InLanes, Lane, Lanes, Mask, Part, Width, ends};
 pub use reduction::{Partial, Reduction, Strip, reduction};
 pub use run::{Cell, Run};

@@ -5,6 +5,7 @@ use core::marker::PhantomData;
 use super::once;
 use super::space::Space;
 use crate::axes::{MAX_AXES, PerAxis, per_axis};
+use crate::store::active::next_bit;
 use crate::view::HELD;
 
 /// Elements of a space that follow one another along its run axis.
@@ -26,10 +27,26 @@ pub struct Run<'t, S> {
     pub(crate) root: *mut u8,
     /// Whether the run is a whole run of a block, its length a constant.
     pub(crate) whole: bool,
+    /// Which elements of a whole run are the loop's: the others are passed by ([`Space::MASKED`]). None: all.
+    pub(crate) mask: Option<Mask>,
+    /// The number of the block of the loop's field that comes next, whose neighbours are fetched ahead; none where that is not worth it.
+    pub(crate) next: Option<PerAxis>,
     /// Whether the loop's box with all offsets lies within every field that rows are taken from.
     pub(crate) fits: bool,
     /// Neither `Send` nor `Sync`: the elements belong to the thread that got the run.
     pub(crate) owner: PhantomData<(&'t S, *mut ())>,
+}
+
+/// The elements of a run that are a loop's, a bit each.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Mask(pub(crate) u64);
+
+impl Mask {
+    /// Whether element `slot` of a run of `S` is the loop's. Few bits are told apart in narrower vectors.
+    #[inline(always)]
+    pub(crate) fn has<S: Space>(self, slot: usize) -> bool {
+        if const { S::RUN <= 32 } { self.0 as u32 & 1 << slot != 0 } else { self.0 & 1 << slot != 0 }
+    }
 }
 
 /// One element of a run: the token without which nothing can be written.
@@ -42,6 +59,8 @@ pub struct Cell<'r, S> {
     pub(crate) slot: usize,
     /// Whether neighbours within the loop's halo lie in the same run of the block.
     pub(crate) inside: bool,
+    /// Whether it is the loop's: what is written to another is thrown away.
+    pub(crate) chosen: bool,
 }
 
 /// Runs that are not worth a vector loop of their own, with its checks, where they are cut.
@@ -69,7 +88,21 @@ pub(crate) fn stay_scalar() {
 impl<S: Space> Run<'_, S> {
     #[inline(always)]
     pub(crate) fn cell(&self, slot: usize, inside: bool) -> Cell<'_, S> {
-        Cell { run: self, slot, k: self.first + slot, inside }
+        Cell { run: self, slot, k: self.first + slot, inside, chosen: true }
+    }
+
+    /// As [`each`](Self::each); where a mask tells the loop's elements, and the body is arithmetic of floats alone, `body` is called for all elements of the
+    /// run, so that the compiler makes vectors of them, and what it writes to the others is thrown away.
+    #[inline(always)]
+    pub fn each_or_all<const N: usize>(&self, halo: [u32; N], floats: bool, mut body: impl FnMut(Cell<'_, S>)) {
+        match self.mask {
+            Some(mask) if floats && self.fits => {
+                for slot in 0..S::RUN {
+                    once(&mut body, Cell { run: self, slot, k: slot, inside: true, chosen: mask.has::<S>(slot) });
+                }
+            }
+            _ => self.each(halo, body),
+        }
     }
 
     /// Calls `body` for each element. `halo` is how far along each axis rows reach.
@@ -79,6 +112,13 @@ impl<S: Space> Run<'_, S> {
         if S::RUN == 0 {
             for slot in 0..self.len {
                 once(&mut body, self.cell(slot, true));
+            }
+        } else if let Some(mask) = self.mask {
+            // What the body reads has been copied and what it writes is held back, so that the compiler can do it for all and choose.
+            for slot in 0..S::RUN {
+                if mask.has::<S>(slot) {
+                    once(&mut body, self.cell(slot, true));
+                }
             }
         } else if const { copies_rows::<S>() } {
             // Rows that lead into other blocks are copied, so that all cells are alike.
@@ -130,8 +170,15 @@ impl<S: Space> Run<'_, S> {
     /// Cuts the run into strips that a reduction's buffer holds.
     #[inline(always)]
     pub fn strips(&self, mut body: impl FnMut(Run<'_, S>)) {
-        let strip = |first, len, whole| Run { first, len, whole, owner: PhantomData, ..*self };
-        if S::RUN > 0 && S::RUN <= super::reduction::STRIP {
+        let strip = |first, len, whole| Run { first, len, whole, mask: None, owner: PhantomData, ..*self };
+        if let Some(Mask(mask)) = self.mask {
+            let mut first = next_bit(&[mask], 0, S::RUN, true);
+            while first < S::RUN {
+                let end = next_bit(&[mask], first, S::RUN, false);
+                body(strip(first, end - first, false));
+                first = next_bit(&[mask], end, S::RUN, true);
+            }
+        } else if S::RUN > 0 && S::RUN <= super::reduction::STRIP {
             body(strip(self.first, self.len, self.whole));
         } else {
             // Full strips have a constant length, so that their buffer becomes registers.

@@ -261,7 +261,20 @@ impl<S: Space, F: Sieve> Space for Sifted<S, F> {
                             first = 0;
                         }
                         let Run { block, inner, brick, root, fits, .. } = part;
-                        run(Run { at, first, len, block, inner, brick, root, whole: false, fits, owner: PhantomData });
+                        run(Run {
+                            at,
+                            first,
+                            len,
+                            block,
+                            inner,
+                            brick,
+                            root,
+                            whole: false,
+                            fits,
+                            mask: None,
+                            next: None,
+                            owner: PhantomData,
+                        });
                     },
                 );
             },

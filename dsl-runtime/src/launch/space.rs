@@ -12,7 +12,7 @@ use crate::layout::{Chain, Digit, Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record, Whole};
 use crate::scatter::Piece;
 use crate::store::active::ActiveList;
-use crate::view::{Places, View};
+use crate::view::{HELD, Places, View};
 use std::sync::Arc;
 
 /// What a parallel loop runs over. The list is closed: each element is visited exactly once.
@@ -34,6 +34,8 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
     const DIGITS: &'static [Digit];
     /// Whether blocks are found through the loop's field alone.
     const SPARSE: bool = false;
+    /// Whether a light loop gets whole runs in which a mask tells the active elements.
+    const MASKED: bool = false;
     /// The branch of the loop's field.
     const BRANCH: usize = 0;
     /// Whether [`part`](Self::part) is available.
@@ -379,6 +381,8 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
                     root: NOWHERE,
                     whole: true,
                     fits,
+                    mask: None,
+                    next: None,
                     owner: PhantomData,
                 });
             },
@@ -411,6 +415,8 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
                     root: NOWHERE,
                     whole: false,
                     fits,
+                    mask: None,
+                    next: None,
                     owner: PhantomData,
                 });
             }
@@ -446,6 +452,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Space for Cells<R, L, X, P> {
     const EXTENT: PerAxis = <Self as Chained<X>>::CHAIN.extent;
     const DIGITS: &'static [Digit] = <Self as Chained<X>>::CHAIN.digits;
     const SPARSE: bool = <Self as Chained<X>>::CHAIN.is_sparse();
+    const MASKED: bool = Self::GRAIN == 1 && Self::RUN <= HELD;
     const BRANCH: usize = Map::<R, L, X>::branch(P::OFFSET);
     const DIVISIBLE: bool = !Self::SPARSE;
 
@@ -508,6 +515,8 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Space for Cells<R, L, X, P> {
                     root: NOWHERE,
                     whole: false,
                     fits,
+                    mask: None,
+                    next: None,
                     owner: PhantomData,
                 });
             } else {
@@ -786,6 +795,8 @@ impl<T: Integers<X = X>, X: Axes> Space for Ranges<T, X> {
                 root: NOWHERE,
                 whole: false,
                 fits,
+                mask: None,
+                next: None,
                 owner: PhantomData,
             });
             left -= len;

@@ -6,9 +6,10 @@ use core::mem::MaybeUninit;
 
 use super::Site;
 use crate::axes::{Axes, MAX_AXES, per_axis, sum};
+use crate::element::Kind as ScalarKind;
 use crate::field::Handle;
 use crate::index::inside;
-use crate::launch::{Cell as RunCell, Run, Space, any_in_blocks, copies_rows, is_in_blocks, stay_scalar};
+use crate::launch::{Cell as RunCell, Run, Space, any_in_blocks, copies_rows, is_in_blocks, prefetch, stay_scalar};
 use crate::layout::{Block, Chain, Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record};
 
@@ -59,6 +60,8 @@ struct Line<'a, R, L, X, P, S, H> {
     /// The run axis' place of element 0 in its block (`Blocks`).
     place: i64,
     fits: bool,
+    /// Whether the loop's elements are some of the run's.
+    masked: bool,
     /// The block that element 0 moved along the other axes than the run's lies in, and where that begins (sparse branches).
     block: Block,
     brick: Cell<*mut u8>,
@@ -147,7 +150,18 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
         };
         let (start, place) = (handle.root.wrapping_add(from), run.inner[S::AXIS] as i64);
         let (block, brick) = ([0; MAX_AXES], Cell::new(core::ptr::null_mut()));
-        Self { handle, site, start, offset, place, fits: run.fits, block, brick, types: PhantomData }
+        Self {
+            handle,
+            site,
+            start,
+            offset,
+            place,
+            fits: run.fits,
+            masked: run.mask.is_some(),
+            block,
+            brick,
+            types: PhantomData,
+        }
     }
 
     /// The same in a sparse branch, whose blocks are arranged as those of the loop's field. The block is looked up once for the run.
@@ -179,6 +193,13 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
         } else {
             handle.brick(Self::MEMBER, &block)
         };
+        if let (true, false, Some(next)) = (Self::OF_LOOP, same, run.next) {
+            let next = per_axis(
+                #[inline(always)]
+                |a| (next[a] as u32).wrapping_add(block[a]).wrapping_sub(run.block[a] as u32),
+            );
+            prefetch(handle.brick(Self::MEMBER, &next).wrapping_add(from));
+        }
         Self {
             handle,
             site,
@@ -186,6 +207,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
             offset,
             place: run.inner[S::AXIS] as i64,
             fits: run.fits,
+            masked: run.mask.is_some(),
             block,
             brick: Cell::new(brick),
             types: PhantomData,
@@ -224,13 +246,17 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
         brick.wrapping_add(self.start.addr()).wrapping_add(term)
     }
 
-    /// Whether rows are copied that lead into other blocks along the run's axis.
+    /// Whether rows may be copied: those that lead into other blocks along the run's axis, and all where the loop's elements are some of the run's.
     const COPIED: bool = copies_rows::<S>() && matches!(Self::KIND, Kind::Blocks);
+
+    /// Whether it holds floats in whole rows of blocks.
+    const FLOATS: bool = matches!(Self::KIND, Kind::Blocks)
+        && matches!(R::Elements::MEMBERS[Self::MEMBER].kind, ScalarKind::F32 | ScalarKind::F64);
 
     /// Whether this row is copied.
     #[inline(always)]
     fn is_copied(&self) -> bool {
-        Self::COPIED && self.offset[S::AXIS] != 0 && self.fits
+        Self::COPIED && (self.offset[S::AXIS] != 0 || self.masked) && self.fits
     }
 
     /// Copies the values of a run's elements.
@@ -253,10 +279,11 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
             own
         };
         // What lies in other blocks is a value or two at an end, if the run comes so far.
-        for k in first..own.start.min(end) {
+        let wanted = |k: i64| run.mask.is_none_or(|mask| mask.has::<S>(k as usize));
+        for k in (first..own.start.min(end)).filter(|&k| wanted(k)) {
             self.put(run, buffer, k, false);
         }
-        for k in own.end.max(first)..end {
+        for k in (own.end.max(first)..end).filter(|&k| wanted(k)) {
             self.put(run, buffer, k, false);
         }
     }
@@ -264,7 +291,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
     /// Copies the value of element `k` of a run.
     #[inline(always)]
     fn put(&self, run: &Run<'_, S>, buffer: &Buffer<List<R, P>>, k: i64, inside: bool) {
-        let cell = RunCell { run, k: k as usize, slot: 0, inside };
+        let cell = RunCell { run, k: k as usize, slot: 0, inside, chosen: true };
         buffer.put((k + AHEAD) as usize, self.value(&cell));
     }
 
@@ -457,6 +484,12 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> R
         Self { line, copy }
     }
 
+    /// Whether it may be read for all elements of a run, and holds floats.
+    #[inline(always)]
+    pub fn is_float(&self) -> bool {
+        Line::<'static, R, L, X, P, S, H>::FLOATS && self.line.is_copied()
+    }
+
     /// The value at a cell.
     ///
     /// # Panics
@@ -488,6 +521,13 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Own<'
         Self(Line::new(handle, site, run, [0; MAX_AXES]))
     }
 
+    /// Whether it may be computed for all elements of a run, and holds floats.
+    #[inline(always)]
+    pub fn is_float(&self) -> bool {
+        type Of<R, L, X, P, S, H> = Line<'static, R, L, X, P, S, H>;
+        Of::<R, L, X, P, S, H>::FLOATS && (Of::<R, L, X, P, S, H>::OF_LOOP || !Of::<R, L, X, P, S, H>::SPARSE)
+    }
+
     /// The value at a cell.
     ///
     /// # Panics
@@ -505,8 +545,9 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Own<'
     #[inline(always)]
     #[track_caller]
     pub fn set(&self, cell: &RunCell<'_, S>, value: P::Value) {
+        let value = if cell.chosen { value } else { self.0.get(cell) };
         // SAFETY: the cell is a run's element, which one thread visits once, and the macro gives a path that is written
-        // no other view.
+        // no other view; nobody else touches those of the run that are not the loop's, which keep their values.
         unsafe { self.0.set(cell, value) };
     }
 }
@@ -584,9 +625,15 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> H
         this
     }
 
+    /// Whether it may be computed for all elements of a run, and holds floats.
+    #[inline(always)]
+    pub fn is_float(&self) -> bool {
+        Self::HOLDS && Line::<'static, R, L, X, P, S, H>::FLOATS
+    }
+
     #[inline(always)]
     fn holds(&self, run: &Run<'_, S>) -> bool {
-        Self::HOLDS && run.whole && self.line.fits
+        Self::HOLDS && (run.whole || run.mask.is_some()) && self.line.fits
     }
 
     /// The value at a cell.
@@ -626,8 +673,17 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> H
             return;
         }
         for k in 0..S::RUN {
-            // SAFETY: `new` has put all values of a whole run; its elements are this thread's own.
-            unsafe { self.line.set(&run.cell(k, true), P::Value::from_elements(self.buffer.take(k))) };
+            let cell = run.cell(k, true);
+            // SAFETY: `new` has put all values of a whole run.
+            let mut value = unsafe { self.buffer.take(k) };
+            if let Some(mask) = run.mask {
+                // Both are there before one is chosen: a load under a condition would keep the compiler from vectors.
+                let old = self.line.get(&cell).into_elements();
+                value = if mask.has::<S>(k) { value } else { old };
+            }
+            // SAFETY: the elements are this thread's own; nobody else touches those of the run that are not the loop's, which keep their
+            // values.
+            unsafe { self.line.set(&cell, P::Value::from_elements(value)) };
         }
     }
 }

@@ -2,6 +2,7 @@
 
 mod concurrent;
 mod lists;
+mod masked;
 mod model;
 mod stencils;
 mod topology;

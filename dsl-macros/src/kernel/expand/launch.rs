@@ -12,6 +12,7 @@ use super::names::{self, Ends, handle, hidden, label, numbered, paths, plain, pr
 use super::rewrite::{Rewrite, Scope};
 use super::{captures, contract, lanes, reductions};
 use crate::kernel::access::{Plan, View, plan};
+use crate::kernel::arithmetic::is_arithmetic;
 use crate::kernel::key;
 use crate::kernel::lanes::is_cut;
 use crate::kernel::model::{Boundary, Branch, Call, Capture, Group, Head, Kernel, Loop, Sieve};
@@ -454,6 +455,10 @@ impl Launch<'_> {
                         #private::Part::Cell(#cell) => { #element }
                     });
                 }
+            }
+            None if is_arithmetic(self.kernel, self.parallel, &self.plan) => {
+                let views = (0..self.plan.views.len()).map(|number| self.view_name(number));
+                quote!(#run.each_or_all(#halo, #(#views.is_float())&&*, #[inline(always)] |#cell| { #element });)
             }
             None => quote!(#run.each(#halo, #[inline(always)] |#cell| { #element });),
         };

@@ -76,8 +76,9 @@ fn saxpy(
                                     ::allotrope::__private::OfLoop,
                                 );
                             __run
-                                .each(
+                                .each_or_all(
                                     [0],
+                                    __v0_x.is_float() && __v1_y.is_float(),
                                     #[inline(always)]
                                     |__cell| {
                                         let p = __cell.index();

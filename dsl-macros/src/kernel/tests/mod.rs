@@ -6,6 +6,7 @@ use super::{check, lower, parse};
 use crate::diagnostics::Diagnostics;
 
 mod accepted;
+mod arithmetic;
 mod contract;
 mod expansions;
 mod functions;

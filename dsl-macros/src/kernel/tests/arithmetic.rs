@@ -1,0 +1,54 @@
+//! Which bodies are nothing but arithmetic, and may run for elements that are none of the loop's.
+
+use super::super::expand;
+
+fn is_arithmetic(body: &str) -> bool {
+    let kernel = format!(
+        "fn k(u: &Field<V, _, Ij>, v: &mut Field<V, _, Ij>, n: i32, x: f32, list: &[f32]) {{ \
+         let mut s = 0.0; for (i, j) in v {{ {body} }} s }}"
+    );
+    let expansion = expand("".parse().unwrap(), kernel.parse().unwrap()).to_string();
+    assert!(!expansion.contains("compile_error"), "{expansion}");
+    expansion.contains("each_or_all")
+}
+
+#[test]
+fn arithmetic_of_rows() {
+    for body in [
+        "v[(i, j)] = u[(i - 1, j)] + u[(i + 1, j)] - 2.0 * u[(i, j)];",
+        "v.m[(i, j)] *= x;",
+        "v.m[(i, j)].y -= u.m[(i, j)].x;",
+        "let (a, mut b) = (u[(i, j)].max(0.0).sqrt(), x); b += -a; v[(i, j)] = vec2(a, b).length();",
+        "v[(i, j)] = if u[(i, j)] > x { x } else { let y = i as f32; y * (n / 2) as f32 };",
+        "if u[(i, j)] < 0.0 { v[(i, j)] = 0.0; }",
+    ] {
+        assert!(is_arithmetic(body), "{body}");
+    }
+}
+
+#[test]
+fn what_could_panic_or_be_seen() {
+    for body in [
+        // Whole numbers that differ from element to element.
+        "v[(i, j)] = (i * j) as f32;",
+        "v[(i, j)] = (7 / i) as f32;",
+        "v[(i, j)] = f(i);",
+        "v[(i, j)] = u[(i, j)] as i32;",
+        "v[(i, j)] = u[(i, j)] << 3;",
+        // What is called could do anything.
+        "v[(i, j)] = f(u[(i, j)]);",
+        "v[(i, j)] = u[(i, j)].of_mine();",
+        "assert!(u[(i, j)] > 0.0); v[(i, j)] = x;",
+        "let f = |y: f32| y; v[(i, j)] = x;",
+        // Other elements, sums, and loops.
+        "v[(i, j)] = u[(j, i)];",
+        "v[(i, j)] = u[(n, n)];",
+        "v[(i, j)] = u.or((i - 1, j), 0.0);",
+        "v[(i, j)] = x; s += u[(i, j)];",
+        "v[(i, j)] = list[0];",
+        "for k in 0..3 { v[(i, j)] = x; }",
+        "if u[(i, j)] > x { continue; } v[(i, j)] = x;",
+    ] {
+        assert!(!is_arithmetic(body), "{body}");
+    }
+}
