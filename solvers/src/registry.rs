@@ -19,7 +19,7 @@ pub struct SolverInfo {
     /// The keys of its scenes beside those of all scenes.
     pub keys: &'static [&'static str],
     /// Reads them.
-    pub read: fn(&Keys<'_>, &Basics<'_>) -> Result<Arc<dyn Setup>, SceneError>,
+    pub read: fn(&Keys<'_>, &Basics<'_>) -> Read,
     /// Its built-in scenes; the first is the default.
     pub scenes: &'static [SceneInfo],
     /// The layouts in which it was compiled; the first is the default.
@@ -29,6 +29,9 @@ pub struct SolverInfo {
     /// Makes the simulation of a scene in one of [`layouts`](Self::layouts).
     pub build: fn(&Scene, layout: &str) -> Built,
 }
+
+/// What a solver's scenes have beside what all scenes have, or what is wrong in it.
+pub type Read = Result<Arc<dyn Setup>, SceneError>;
 
 /// A simulation, or why its scene cannot be built.
 pub type Built = Result<Box<dyn Simulation>, SceneError>;

@@ -145,10 +145,8 @@ pub(super) fn fit(solver: &'static SolverInfo, scene: &Scene) -> Vec<&'static st
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use allotrope_solvers::scene::{Basics, Keys};
-    use allotrope_solvers::{Built, LayoutInfo, SceneError, Setup};
+    use allotrope_solvers::{Built, LayoutInfo, Read, SceneError};
 
     use super::*;
 
@@ -156,7 +154,7 @@ mod tests {
         Err(SceneError::new(&*scene.file, "is not built here"))
     }
 
-    fn no_setup(_keys: &Keys<'_>, _basics: &Basics<'_>) -> Result<Arc<dyn Setup>, SceneError> {
+    fn no_setup(_keys: &Keys<'_>, _basics: &Basics<'_>) -> Read {
         Err(SceneError::new("none", "is not read here"))
     }
 
