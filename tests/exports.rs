@@ -1,5 +1,7 @@
 //! What the laboratory writes for other programs, read back by parsers that are written here; and what pictures show.
 
+#[path = "exports/net.rs"]
+mod net;
 mod support;
 
 use std::collections::HashMap;

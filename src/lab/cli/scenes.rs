@@ -58,7 +58,7 @@ impl SceneArguments {
         if scene.solver == solver.name {
             return self.sized(scene);
         }
-        let of = solver_of(&scene)?.name;
+        let of = scene.solver;
         Err(LabError::usage(format!("scene `{name}` is for the solver `{of}`, not `{}`", solver.name)))
     }
 
@@ -79,12 +79,6 @@ impl SceneArguments {
         }
         Ok(scene)
     }
-}
-
-/// The solver of a scene.
-pub(super) fn solver_of(scene: &Scene) -> Result<&'static SolverInfo, LabError> {
-    allotrope_solvers::solver(&scene.solver)
-        .map_err(|fault| LabError::usage(format!("scene `{}`: `solver` is wrong: {fault}", scene.file)))
 }
 
 /// Whether a name is that of a file: with a dot or a separator in it, or there.
