@@ -52,11 +52,11 @@ pub struct SceneInfo {
 /// A layout, or a combination of layouts, in which a solver was compiled.
 #[derive(Debug)]
 pub struct LayoutInfo {
-    /// The name by which it is asked for, `particles+grid`.
+    /// The name by which it is asked for; of solvers with a grid, `particles+grid`.
     pub name: &'static str,
     /// One line about it.
     pub about: &'static str,
-    /// Whether the grid's memory follows the particles, so that its domain can be as large as one likes.
+    /// Whether there is a grid whose memory follows the particles, so that its domain can be as large as one likes.
     pub sparse: bool,
 }
 

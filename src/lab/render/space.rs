@@ -39,11 +39,13 @@ pub(super) fn draw(camera: &Camera, simulation: &dyn Simulation) -> Canvas {
         }
         surface.smooth(&view, radius);
     } else {
+        // Masses far apart are no larger for it.
+        let spacing = simulation.spacing().min(0.1 * simulation.extent().into_iter().fold(0.0, f64::max));
         for ends in &rods {
-            surface.rod(&view, ends, wires::LINE * simulation.spacing());
+            surface.rod(&view, ends, wires::LINE * spacing);
         }
         for dot in &dots {
-            surface.splat(&view, dot.at, view.visible(dot.at, wires::DOT * simulation.spacing()), dot.colour);
+            surface.splat(&view, dot.at, view.visible(dot.at, wires::DOT * spacing), dot.colour);
         }
     }
     let colliders = collider::at(&camera.colliders, simulation.time());
