@@ -42,6 +42,17 @@ const COMMAND_LINES: &[Case] = &[
         "there is no schedule `tiled`; known are `auto`, `serial`, `private`, `colored`, `atomic`",
     ),
     wrong("bench mpm --schedules serail", "there is no schedule `serail`; did you mean `serial`?"),
+    wrong("convert-cost mpm aos+row aos+row", "`aos+row` is changed into itself; ask for two layouts"),
+    wrong("convert-cost mpm aos+row soa+sao", "`mpm` has no layout `soa+sao`; did you mean `soa+soa`?"),
+    wrong("convert-cost mmp aos+row soa+soa", "there is no solver `mmp`; did you mean `mpm`?"),
+    wrong(
+        "convert-cost mpm aos+row",
+        "the following required arguments were not provided: <B>; `allotrope --help` tells what there is",
+    ),
+    wrong(
+        "convert-cost mpm aos+row soa+soa --schedule serail",
+        "there is no schedule `serail`; did you mean `serial`?",
+    ),
     wrong("compare taichi --workloads jacoby", "there is no workload `jacoby`; did you mean `jacobi`?"),
     wrong("compare taichi --workloads ,", "`--workloads` wants at least one name"),
     wrong("compare taichi --pairs 4", "invalid value `4` for `--pairs <N>`: 4 is not in 5..=1000"),

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use allotrope_lab::lab::bench::Report;
+use allotrope_lab::lab::convert_cost;
 use allotrope_lab::lab::peers::Report as Comparison;
 
 fn allotrope(arguments: &[&str]) -> Output {
@@ -170,6 +171,39 @@ fn bench_compares_layouts_and_writes_its_report() {
         let kernels: f64 = row.kernels.0.iter().map(|(_, time)| time).sum();
         // Medians of the parts against the median of the whole, on a machine that may be busy.
         assert!(row.kernels.0.len() == 3 && (0.3..2.0).contains(&(kernels / row.ms_per_step)), "{row:?}");
+    }
+}
+
+#[test]
+fn a_change_of_layouts_tells_what_it_costs_and_when_it_pays() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("cost.json");
+    let size = ["--particles", "2000", "--grid", "48", "--threads", "1", "--steps", "22", "--json"];
+    let command = ["convert-cost", "mpm", "aos+row", "aosoa16+blocked4"];
+    let text = succeeds(&[&command[..], &size, &[path.to_str().unwrap()]].concat());
+    assert!(text.starts_with("mpm mpm88: 2000 particles, 48 x 48 nodes\n"), "{text}");
+    assert!(text.contains("the state goes over whole, and both go on alike: after 22 steps"), "{text}");
+    assert!(
+        text.contains("22 steps each, in 11 interleaved repetitions") && text.contains("\naosoa16+blocked4  "),
+        "{text}"
+    );
+    assert!(
+        text.contains("\naos+row to aosoa16+blocked4: ") && text.lines().last().unwrap().contains("pays"),
+        "{text}"
+    );
+
+    let line = std::fs::read_to_string(&path).unwrap();
+    let report: convert_cost::Report = serde_json::from_str(&line).unwrap();
+    assert_eq!((report.from.layout.as_str(), report.to.layout.as_str()), ("aos+row", "aosoa16+blocked4"));
+    let change = &report.change;
+    assert!(change.read_ms > 0.0 && change.write_ms > 0.0 && change.ms < 1e3, "{report:?}");
+    let [low, high] = change.gain_interval_ms;
+    assert!(low <= change.gain_ms && change.gain_ms <= high, "{report:?}");
+    // It pays where the gain is above the noise, and then for its cost.
+    assert_eq!(change.pays_after.is_some(), low > 0.0);
+    if let (Some(steps), Some([early, late])) = (change.pays_after, change.pays_between) {
+        assert!(early <= steps && steps <= late, "{report:?}");
+        assert!((steps as f64 - change.ms / change.gain_ms).abs() <= 1.0 + 1e-3 * steps as f64, "{report:?}");
     }
 }
 

@@ -5,6 +5,7 @@ pub mod chart;
 pub mod checkpoint;
 pub mod cli;
 pub mod compare;
+pub mod convert_cost;
 pub mod errors;
 pub mod export;
 pub mod list;
