@@ -42,6 +42,33 @@ const COMMAND_LINES: &[Case] = &[
         "there is no schedule `tiled`; known are `auto`, `serial`, `private`, `colored`, `atomic`",
     ),
     wrong("bench mpm --schedules serail", "there is no schedule `serail`; did you mean `serial`?"),
+    wrong(
+        "bench mpm --sweep length",
+        "invalid value `length` for `--sweep <AXIS>` [possible values: size, threads, order]; `allotrope --help` tells \
+         what there is",
+    ),
+    wrong(
+        "bench mpm --points 1,2",
+        "the following required arguments were not provided: --sweep <AXIS>; `allotrope --help` tells what there is",
+    ),
+    wrong("bench mpm --sweep threads --points ,", "`--points` wants at least one value"),
+    wrong("bench mpm --sweep threads --points 1,two", "point `two` of `--sweep threads` is no whole number above zero"),
+    wrong(
+        "bench mpm --sweep order --points often",
+        "point `often` of `--sweep order` cannot be: a number of steps, 0 for never, or `auto` is wanted",
+    ),
+    wrong(
+        "bench mpm --sweep size --particles 100",
+        "`--particles` is what `--sweep size` changes; leave it out, or ask for `--points`",
+    ),
+    wrong(
+        "bench mpm --sweep order --reorder 8",
+        "`--reorder` is what `--sweep order` changes; leave it out, or ask for `--points`",
+    ),
+    wrong(
+        "bench mpm --sweep size --json x.json",
+        "the argument `--sweep <AXIS>` cannot be used with `--json <FILE>`; `allotrope --help` tells what there is",
+    ),
     wrong("convert-cost mpm aos+row aos+row", "`aos+row` is changed into itself; ask for two layouts"),
     wrong("convert-cost mpm aos+row soa+sao", "`mpm` has no layout `soa+sao`; did you mean `soa+soa`?"),
     wrong("convert-cost mmp aos+row soa+soa", "there is no solver `mmp`; did you mean `mpm`?"),

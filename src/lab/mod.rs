@@ -17,4 +17,5 @@ pub mod run;
 pub mod scene;
 pub mod signals;
 pub mod statistics;
+pub mod sweep;
 pub mod table;

@@ -11,6 +11,7 @@ use allotrope_lab::lab::export::{npz, ply, vtk};
 use allotrope_lab::lab::machine::NamedSchedule;
 use allotrope_lab::lab::render::{Camera, Picture, Shading};
 use allotrope_lab::lab::run::{Calendar, Export, Outputs, Plan, Progress, run};
+use allotrope_lab::lab::sweep::{self, Axis, sweep};
 use allotrope_solvers::scene::{Basics, Keys, Particles};
 use allotrope_solvers::{
     Array, Built, Energy, LayoutInfo, Read, Scene, SceneError, Setup, Simulation, SolverInfo, State, StepError, Totals,
@@ -182,7 +183,7 @@ static SOLVER: SolverInfo = SolverInfo {
         LayoutInfo { name: "rows", about: "", sparse: false },
         LayoutInfo { name: "deaf", about: "", sparse: false },
     ],
-    unfit: |_, _| None,
+    unfit: |scene, layout| (layout == "rows" && scene.steps == 1).then_some("it is too large"),
     build,
 };
 
@@ -421,20 +422,23 @@ fn pressure_is_not_shown_where_there_is_none() {
     assert!(!plan.out.exists());
 }
 
-#[test]
-fn a_bench_without_a_grid_reports_none() {
-    let folder = tempfile::tempdir().unwrap();
-    let plan = bench::Plan {
+fn bench_plan(scene: Scene) -> bench::Plan {
+    bench::Plan {
         solver: &SOLVER,
         name: "net".into(),
-        scene: scene(2),
+        scene,
         layouts: vec!["flat", "rows"],
         schedules: vec![NamedSchedule::find("auto").unwrap()],
         threads: Some(1),
         steps: Some(22),
-    };
+    }
+}
+
+#[test]
+fn a_bench_without_a_grid_reports_none() {
+    let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("bench.json");
-    bench::bench(&plan, Some(&file)).unwrap();
+    bench::bench(&bench_plan(scene(2)), Some(&file)).unwrap();
     let report: bench::Report = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
     assert_eq!((report.particles, report.grid.len(), report.rows.len()), (25, 0, 2));
     assert!(report.rows.iter().all(|row| row.ms_per_step > 0.2 && row.state_error == 0.0), "{report:?}");
@@ -473,4 +477,28 @@ fn a_state_that_does_not_go_over_is_told_before_any_time() {
     let message = cost(["flat", "deaf"]).unwrap_err();
     assert!(message.starts_with("the state of flat does not go over to deaf: particle "), "{message}");
     assert!(message.ends_with(" differs by 4.350e-1"), "{message}");
+}
+
+#[test]
+fn sweeps_leave_out_what_does_not_fit_and_refuse_what_cannot_be() {
+    let folder = tempfile::tempdir().unwrap();
+    let swept = |axis, points: &[&str], scene| {
+        let points = points.iter().map(|point| point.to_string()).collect();
+        let plan = sweep::Plan { bench: bench_plan(scene), axis, points };
+        sweep(&plan, folder.path()).map_err(|error| error.to_string())
+    };
+    assert_eq!(
+        swept(Axis::Order, &[], scene(2)),
+        Err("`--sweep order` cannot be, since the solver `net` sorts nothing".into())
+    );
+    assert_eq!(
+        swept(Axis::Size, &["9"], scene(2)),
+        Err("scene `net`: `particles = 9` cannot be, since the solver `net` has as many particles as its scenes tell"
+            .into())
+    );
+    // One step is told to be too much for one of the layouts.
+    swept(Axis::Threads, &["1"], Scene { steps: 1, ..scene(2) }).unwrap();
+    let csv = std::fs::read_to_string(folder.path().join("sweep.csv")).unwrap();
+    let lines: Vec<_> = csv.lines().collect();
+    assert!(lines.len() == 2 && lines[1].starts_with("1,25,,1,flat,auto,"), "{csv}");
 }

@@ -24,7 +24,7 @@ use text::{About, text};
 const REPETITIONS: u64 = 11;
 
 /// What is to be compared.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Plan {
     /// The solver.
     pub solver: &'static SolverInfo,
@@ -61,7 +61,7 @@ pub fn bench(plan: &Plan, json: Option<&Path>) -> Result<(), LabError> {
     }
 }
 
-fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
+pub(super) fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
     let mut contenders = Vec::new();
     for &layout in &plan.layouts {
         for &named in &plan.schedules {

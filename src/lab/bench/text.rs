@@ -6,12 +6,12 @@ use crate::lab::scene::size;
 use crate::lab::table::{Table, four_digits};
 
 /// What the table tells beside the report.
-pub(super) struct About {
-    pub(super) verified: u64,
-    pub(super) agreement: f64,
-    pub(super) repetitions: u64,
-    pub(super) steps: u64,
-    pub(super) time: f64,
+pub(in crate::lab) struct About {
+    pub(in crate::lab) verified: u64,
+    pub(in crate::lab) agreement: f64,
+    pub(in crate::lab) repetitions: u64,
+    pub(in crate::lab) steps: u64,
+    pub(in crate::lab) time: f64,
 }
 
 /// Machine and scene, what was checked, and the table.

@@ -38,7 +38,12 @@ pub(super) const BENCH: &str = "\
 Examples:
   allotrope bench mpm                           # all layouts that fit the first scene
   allotrope bench mpm --layouts aos+row,soa+soa --schedules private,atomic
-  allotrope bench mpm --particles 1048576 --grid 1024 --threads 1 --json bench.json";
+  allotrope bench mpm --particles 1048576 --grid 1024 --threads 1 --json bench.json
+  allotrope bench mpm --sweep size --layouts aos+row,soa+soa --out sizes
+  allotrope bench mpm --sweep threads --points 1,2
+  allotrope bench mpm --particles 100000 --sweep order --points 0,16,auto
+
+A sweep has its results on the disk after each point: the same command goes on after the last one.";
 
 /// Of `convert-cost`.
 pub(super) const CONVERT_COST: &str = "\
