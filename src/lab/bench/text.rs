@@ -3,7 +3,7 @@
 use super::report::Report;
 use crate::lab::machine;
 use crate::lab::scene::size;
-use crate::lab::table::{Table, four_digits};
+use crate::lab::table::{Table, error_digits, four_digits};
 
 /// What the table tells beside the report.
 pub(in crate::lab) struct About {
@@ -60,10 +60,6 @@ pub(super) fn text(report: &Report, about: &About) -> String {
         table.row(cells);
     }
     text + &table.text()
-}
-
-fn error_digits(value: f64) -> String {
-    if value == 0.0 { "0".into() } else { format!("{value:.1e}") }
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use crate::lab::bench::contender::Contender;
 use crate::lab::machine;
 use crate::lab::scene::size;
 use crate::lab::statistics::{median, median_interval, spread};
-use crate::lab::table::{Table, four_digits, six_digits};
+use crate::lab::table::{Table, error_digits, four_digits, six_digits};
 
 /// What `--json` writes.
 #[derive(Debug, Deserialize, Serialize)]
@@ -124,7 +124,7 @@ pub(super) fn text(report: &Report, about: &About) -> String {
     }
     format!(
         "{} {}: {}\n{}, {} threads, {}, schedule {}\n\
-         the state goes over whole, and both go on alike: after {} steps positions differ by at most {:.1e}\n\
+         the state goes over whole, and both go on alike: after {} steps positions differ by at most {}\n\
          {} steps each, in {} interleaved repetitions, to {:.4} s\n\n{}\n{}{}",
         report.solver,
         report.scene,
@@ -134,7 +134,7 @@ pub(super) fn text(report: &Report, about: &About) -> String {
         report.isa,
         report.schedule,
         about.verified,
-        about.agreement,
+        error_digits(about.agreement),
         about.steps,
         about.repetitions,
         about.time,

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::{Point, Record, chart};
 use crate::lab::scene::size;
-use crate::lab::table::{Table, four_digits};
+use crate::lab::table::{Table, error_digits, four_digits};
 
 /// What is swept, and how much of it is there already.
 pub(super) fn start(record: &Record, points: usize, done: usize) -> String {
@@ -51,7 +51,8 @@ pub(super) fn table(record: &Record, out: &Path) -> String {
     let agreement = record.points.iter().map(|point| point.agreement).fold(0.0, f64::max);
     format!(
         "\nat each point all layouts came to the same state before anything was timed: positions differed by at most \
-         {agreement:.1e}\n\n{}\nsweep.json, sweep.csv and sweep.svg in {}\n",
+         {}\n\n{}\nsweep.json, sweep.csv and sweep.svg in {}\n",
+        error_digits(agreement),
         table.text(),
         out.display()
     )
