@@ -44,7 +44,7 @@ const COMMAND_LINES: &[Case] = &[
     wrong("bench mpm --schedules serail", "there is no schedule `serail`; did you mean `serial`?"),
     wrong(
         "bench mpm --sweep length",
-        "invalid value `length` for `--sweep <AXIS>` [possible values: size, threads, order]; `allotrope --help` tells \
+        "invalid value `length` for `--sweep <AXIS>` [possible values: size, particles-per-cell, threads, order]; `allotrope --help` tells \
          what there is",
     ),
     wrong(
@@ -53,6 +53,10 @@ const COMMAND_LINES: &[Case] = &[
     ),
     wrong("bench mpm --sweep threads --points ,", "`--points` wants at least one value"),
     wrong("bench mpm --sweep threads --points 1,two", "point `two` of `--sweep threads` is no whole number above zero"),
+    wrong(
+        "bench mpm --sweep particles-per-cell --points 4,-1",
+        "point `-1` of `--sweep particles-per-cell` is no number above zero",
+    ),
     wrong(
         "bench mpm --sweep order --points often",
         "point `often` of `--sweep order` cannot be: a number of steps, 0 for never, or `auto` is wanted",

@@ -245,6 +245,15 @@ fn threads_and_orders_are_swept() {
     assert!(sweep("threads", "2,1", &size, &threads).status.success());
     let row = |threads: usize, layout| format!("{threads} 2000 48x48 {threads} {layout} auto");
     assert_eq!(columns(&threads), [row(1, "aos+row"), row(1, "soa+soa"), row(2, "aos+row"), row(2, "soa+soa")]);
+    let densities = folder.path().join("densities");
+    assert!(sweep("particles-per-cell", "2,0.5", &["--grid", "64", "--threads", "1"], &densities).status.success());
+    // Some 655 of the 64 x 64 cells are filled at the start.
+    let counts: Vec<usize> =
+        columns(&densities).iter().map(|line| line.split(' ').nth(1).unwrap().parse().unwrap()).collect();
+    assert!(
+        (300..380).contains(&counts[0]) && counts[1] == counts[0] && counts[2].abs_diff(4 * counts[0]) < 4,
+        "{counts:?}"
+    );
     let orders = folder.path().join("orders");
     let done = sweep("order", "auto,0,4", &[&size[..], &["--threads", "1"]].concat(), &orders);
     let text = String::from_utf8(done.stdout).unwrap();

@@ -492,6 +492,10 @@ fn sweeps_leave_out_what_does_not_fit_and_refuse_what_cannot_be() {
         Err("`--sweep order` cannot be, since the solver `net` sorts nothing".into())
     );
     assert_eq!(
+        swept(Axis::ParticlesPerCell, &["1"], scene(2)),
+        Err("`--sweep particles-per-cell` cannot be, since the solver `net` has no grid".into())
+    );
+    assert_eq!(
         swept(Axis::Size, &["9"], scene(2)),
         Err("scene `net`: `particles = 9` cannot be, since the solver `net` has as many particles as its scenes tell"
             .into())

@@ -72,7 +72,7 @@ impl BenchArguments {
     fn sweep(&self, axis: Axis, bench: bench::Plan) -> Result<(), LabError> {
         let SceneArguments { particles, threads, reorder, .. } = &self.what;
         let (option, twice) = match axis {
-            Axis::Size => ("particles", particles.is_some()),
+            Axis::Size | Axis::ParticlesPerCell => ("particles", particles.is_some()),
             Axis::Threads => ("threads", threads.is_some()),
             Axis::Order => ("reorder", reorder.is_some()),
         };

@@ -1,6 +1,7 @@
 //! What changes from point to point.
 
 use std::cmp::Ordering;
+use std::collections::HashSet;
 
 use allotrope::MAX_THREADS;
 use allotrope_solvers::scene::Reorder;
@@ -13,10 +14,12 @@ use crate::lab::machine;
 
 /// What changes from point to point.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize, ValueEnum)]
-#[serde(rename_all = "lowercase")]
+#[serde(rename_all = "kebab-case")]
 pub enum Axis {
     /// The number of particles, with the grid in proportion where there is one
     Size,
+    /// Particles a cell, on the same grid
+    ParticlesPerCell,
     /// The number of threads
     Threads,
     /// When particles are sorted: steps, 0 for never, or `auto`
@@ -29,7 +32,12 @@ pub(super) struct Start {
     /// Nodes along the first axis, if there is a grid.
     nodes: Option<usize>,
     dimensions: usize,
+    /// Particles a cell, of the cells in which there are any.
+    density: f64,
 }
+
+/// Particles a cell, if nothing else is asked for.
+const DENSITIES: [&str; 5] = ["1", "2", "4", "8", "16"];
 
 /// Steps after which particles are sorted, if nothing else is asked for.
 const ORDERS: [&str; 6] = ["0", "1", "8", "64", "512", "auto"];
@@ -40,18 +48,23 @@ impl Start {
     pub(super) fn new(plan: &Plan, axis: Axis) -> Result<Self, LabError> {
         let Plan { solver, scene, layouts, .. } = plan;
         if axis == Axis::Order && !scene.setup.sorts() {
-            return Err(LabError::usage(format!(
-                "`--sweep order` cannot be, since the solver `{}` sorts nothing",
-                solver.name
-            )));
+            return Err(cannot(axis, solver.name, "sorts nothing"));
         }
         let fits = |layout: &&&str| (solver.unfit)(scene, layout).is_none();
         let Some(layout) = layouts.iter().find(fits) else {
             return Err(LabError::usage(format!("no layout that is asked for fits scene `{}`", scene.file)));
         };
         let simulation = (solver.build)(scene, layout)?;
-        let nodes = simulation.grid_shape().first().copied();
-        Ok(Self { particles: simulation.particles(), nodes, dimensions: simulation.dimensions() })
+        let (nodes, dimensions) = (simulation.grid_shape().first().copied(), simulation.dimensions());
+        if axis == Axis::ParticlesPerCell && nodes.is_none() {
+            return Err(cannot(axis, solver.name, "has no grid"));
+        }
+        let cell = simulation.extent()[0] / nodes.unwrap_or(1) as f64;
+        let positions = simulation.positions();
+        let cells: HashSet<_> =
+            positions.iter().map(|x| x.map(|component| (component / cell).floor() as i64)).collect();
+        let density = positions.len() as f64 / cells.len().max(1) as f64;
+        Ok(Self { particles: simulation.particles(), nodes, dimensions, density })
     }
 
     /// What is compared at a point.
@@ -72,11 +85,21 @@ impl Start {
                     plan.scene = plan.scene.with_particles(count)?;
                 }
             }
+            Axis::ParticlesPerCell => {
+                let wanted: f64 = value.parse().map_err(|_| fault("is no number of particles a cell".into()))?;
+                plan.scene =
+                    plan.scene.with_particles((self.particles as f64 * wanted / self.density).round() as usize)?;
+            }
             Axis::Threads => plan.threads = Some(value.parse().map_err(|_| fault("is no number of threads".into()))?),
             Axis::Order => plan.scene = plan.scene.with_reorder(value.parse().map_err(fault)?)?,
         }
         Ok(plan)
     }
+}
+
+/// That there is nothing that could change along the axis, since the solver `why`.
+fn cannot(axis: Axis, solver: &str, why: &str) -> LabError {
+    LabError::usage(format!("`--sweep {}` cannot be, since the solver `{solver}` {why}", axis.name()))
 }
 
 impl Axis {
@@ -89,6 +112,7 @@ impl Axis {
                 counts.dedup();
                 counts.iter().map(usize::to_string).collect()
             }
+            Self::ParticlesPerCell => DENSITIES.map(String::from).into(),
             Self::Threads => {
                 let all = machine::threads(None);
                 let powers = std::iter::successors(Some(1), |threads| Some(2 * threads)).take_while(|&n| n < all);
@@ -111,6 +135,10 @@ impl Axis {
             }
             (Self::Size | Self::Threads, Ok(_)) => Ok(()),
             (Self::Size | Self::Threads, Err(_)) => Err(self.fault(value, "is no whole number above zero")),
+            (Self::ParticlesPerCell, _) => match value.parse::<f64>() {
+                Ok(density) if density.is_finite() && density > 0.0 => Ok(()),
+                _ => Err(self.fault(value, "is no number above zero")),
+            },
             (Self::Order, _) => {
                 value.parse::<Reorder>().map(|_| ()).map_err(|why| self.fault(value, &format!("cannot be: {why}")))
             }
@@ -125,6 +153,7 @@ impl Axis {
     pub fn name(self) -> &'static str {
         match self {
             Self::Size => "size",
+            Self::ParticlesPerCell => "particles-per-cell",
             Self::Threads => "threads",
             Self::Order => "order",
         }
@@ -134,6 +163,8 @@ impl Axis {
     pub(super) fn named(self, value: &str) -> String {
         match (self, value) {
             (Self::Size, _) => format!("{value} particles"),
+            (Self::ParticlesPerCell, "1") => "1 particle a cell".into(),
+            (Self::ParticlesPerCell, _) => format!("{value} particles a cell"),
             (Self::Threads, "1") => "1 thread".into(),
             (Self::Threads, _) => format!("{value} threads"),
             (Self::Order, "0") => "particles that are never sorted".into(),
@@ -145,8 +176,8 @@ impl Axis {
 
     /// Which of two values comes first: by number, never sorted first, `auto` last.
     pub(super) fn order(self, a: &str, b: &str) -> Ordering {
-        let place = |value: &str| value.parse::<u64>().unwrap_or(u64::MAX);
-        place(a).cmp(&place(b))
+        let place = |value: &str| value.parse().unwrap_or(f64::INFINITY);
+        place(a).total_cmp(&place(b))
     }
 }
 
@@ -175,6 +206,7 @@ mod tests {
         let mut values = ["auto", "64", "0", "8"];
         values.sort_by(|a, b| Axis::Order.order(a, b));
         assert_eq!(values, ["0", "8", "64", "auto"]);
+        assert!(Axis::ParticlesPerCell.order("0.5", "10").is_lt());
     }
 
     #[test]
@@ -198,6 +230,13 @@ mod tests {
         }
         assert_eq!(start.point(&plan, Axis::Threads, "2").unwrap().threads, Some(2));
         assert_eq!(start.point(&plan, Axis::Order, "64").unwrap().scene.reorder(), Reorder::Every(64));
+        // 8192 particles at random on some 2621 cells.
+        for (value, least, most) in [("1", 2450, 2700), ("4", 9800, 10800), ("0.5", 1200, 1400)] {
+            let scene = start.point(&plan, Axis::ParticlesPerCell, value).unwrap().scene;
+            let simulation = (solver.build)(&scene, "aos+row").unwrap();
+            assert!((least..most).contains(&simulation.particles()), "{value}: {}", simulation.particles());
+            assert_eq!(simulation.grid_shape()[0], 128);
+        }
         let error = start.point(&plan, Axis::Size, "99999999999").unwrap_err().to_string();
         assert!(error.contains("`grid = "), "{error}");
     }

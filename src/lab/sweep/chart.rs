@@ -12,6 +12,10 @@ pub(super) fn svg(record: &Record) -> Result<String, LabError> {
         Axis::Size => lines(record, "particles", "nanoseconds a particle and step", |point, row| {
             [point.report.particles as f64, row.ms_per_step * 1e6 / point.report.particles as f64]
         }),
+        Axis::ParticlesPerCell => lines(record, "particles a cell", "nanoseconds a particle and step", |point, row| {
+            let density = point.value.parse().unwrap_or(f64::NAN);
+            [density, row.ms_per_step * 1e6 / point.report.particles as f64]
+        }),
         Axis::Threads => {
             lines(record, "threads", "milliseconds a step", |point, row| [point.report.threads as f64, row.ms_per_step])
         }
