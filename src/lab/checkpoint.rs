@@ -42,6 +42,9 @@ pub struct Header {
     pub steps_done: u64,
     /// Frames written.
     pub frames_done: u64,
+    /// Simulated seconds at each of them.
+    #[serde(default)]
+    pub frame_times: Vec<f64>,
     /// What was asked for.
     pub plan: Planned,
 }
@@ -59,7 +62,7 @@ pub struct Planned {
     pub checkpoint_every: Option<u64>,
     /// What the colours of particles tell, where it was said.
     pub shading: Option<String>,
-    /// How the grid is accumulated.
+    /// How loops accumulate.
     pub schedule: String,
     /// Threads, where so many were asked for.
     pub threads: Option<usize>,

@@ -2,26 +2,25 @@
 
 use super::report::Report;
 use crate::lab::machine;
-use crate::lab::table::{Table, four_digits};
+use crate::lab::scene::size;
+use crate::lab::table::{Table, error_digits, four_digits};
 
 /// What the table tells beside the report.
-pub(super) struct About {
-    pub(super) verified: u64,
-    pub(super) agreement: f64,
-    pub(super) repetitions: u64,
-    pub(super) steps: u64,
-    pub(super) time: f64,
+pub(in crate::lab) struct About {
+    pub(in crate::lab) verified: u64,
+    pub(in crate::lab) agreement: f64,
+    pub(in crate::lab) repetitions: u64,
+    pub(in crate::lab) steps: u64,
+    pub(in crate::lab) time: f64,
 }
 
 /// Machine and scene, what was checked, and the table.
 pub(super) fn text(report: &Report, about: &About) -> String {
-    let grid: Vec<String> = report.grid.iter().map(usize::to_string).collect();
     let mut text = format!(
-        "{} {}: {} particles, {} nodes\n{}, {} threads, {}\n",
+        "{} {}: {}\n{}, {} threads, {}\n",
         report.solver,
         report.scene,
-        report.particles,
-        grid.join(" x "),
+        size(report.particles, "", &report.grid),
         machine::processor(),
         report.threads,
         report.isa
@@ -63,6 +62,31 @@ pub(super) fn text(report: &Report, about: &About) -> String {
     text + &table.text()
 }
 
-fn error_digits(value: f64) -> String {
-    if value == 0.0 { "0".into() } else { format!("{value:.1e}") }
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lab::bench::{Kernels, Row};
+
+    fn report(grid: Vec<usize>) -> Report {
+        let row = Row {
+            layout: "flat".into(),
+            schedule: "auto".into(),
+            ms_per_step: 0.5,
+            spread: 0.01,
+            kernels: Kernels(vec![("forces".into(), 0.3), ("update".into(), 0.1)]),
+            bytes: 1 << 20,
+            state_error: 0.0,
+        };
+        let isa = "baseline".into();
+        Report { solver: "net".into(), scene: "cloth".into(), particles: 1000, grid, threads: 1, isa, rows: vec![row] }
+    }
+
+    #[test]
+    fn nodes_are_told_where_there_is_a_grid() {
+        let about = About { verified: 10, agreement: 0.0, repetitions: 2, steps: 20, time: 0.1 };
+        let first = |grid| text(&report(grid), &about).lines().next().unwrap_or_default().to_string();
+        assert_eq!(first(vec![]), "net cloth: 1000 particles");
+        assert_eq!(first(vec![8, 4]), "net cloth: 1000 particles, 8 x 4 nodes");
+        assert!(text(&report(vec![]), &about).contains("75 %    25 %"), "shares of kernels");
+    }
 }

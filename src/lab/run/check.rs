@@ -29,7 +29,7 @@ pub fn gate(solver: &SolverInfo, scene: &str) -> Result<Gate, LabError> {
 /// Runs a simulation to the end of its check, and prints what was found.
 ///
 /// # Errors
-/// If a step is refused, or a finding is out of its bounds.
+/// If a step is refused, the check's end is not reached, or a finding is out of its bounds.
 pub fn check(
     simulation: &mut dyn Simulation,
     watch: &mut dyn Watch,
@@ -40,10 +40,12 @@ pub fn check(
     let (steps, every, start) = (watch.steps(), watch.every().max(1), Instant::now());
     let mut reporter = Reporter::new(progress, quiet, steps, 0);
     watch.look(simulation);
-    while simulation.steps() < steps {
+    let until = watch.until();
+    let ended = |simulation: &dyn Simulation| until.is_some_and(|until| simulation.time() >= until);
+    while simulation.steps() < steps && !ended(simulation) {
         let next = (simulation.steps() + every).min(steps);
         schedule.run(|| {
-            while simulation.steps() < next {
+            while simulation.steps() < next && !ended(simulation) {
                 simulation.step()?;
                 reporter.step(simulation.steps());
             }
@@ -52,7 +54,14 @@ pub fn check(
         watch.look(simulation);
     }
     reporter.clear();
-    let findings = watch.findings();
+    if let Some(until) = until.filter(|_| !ended(simulation)) {
+        return Err(LabError::failure(format!(
+            "the check ends after {} s, and {steps} steps came to {} s",
+            number(until),
+            number(simulation.time())
+        )));
+    }
+    let (findings, steps) = (watch.findings(), simulation.steps());
     if !quiet {
         output::print(&text(&findings))?;
         output::print(&format!("{steps} steps in {:.2} s\n", start.elapsed().as_secs_f64()))?;
@@ -105,12 +114,13 @@ fn number(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use allotrope_solvers::{Scene, SceneInfo};
+    use allotrope_solvers::{Scene, SceneError, SceneInfo};
 
     use super::*;
 
-    /// Looks at the mass and the height of a fluid.
+    /// Looks at the mass of a fluid.
     struct Fall {
+        until: Option<f64>,
         looks: Vec<u64>,
         mass: f64,
         bound: f64,
@@ -119,6 +129,10 @@ mod tests {
     impl Watch for Fall {
         fn steps(&self) -> u64 {
             5
+        }
+
+        fn until(&self) -> Option<f64> {
+            self.until
         }
 
         fn every(&self) -> u64 {
@@ -142,25 +156,38 @@ mod tests {
         }
     }
 
-    fn outcome(bound: f64) -> (Vec<u64>, Result<(), LabError>) {
+    fn outcome(bound: f64, until: Option<f64>) -> (Vec<u64>, Result<(), LabError>) {
         let solver = allotrope_solvers::solver("mpm").unwrap();
         let mut simulation = (solver.build)(&solver.scene("mpm88").unwrap(), "aos+row").unwrap();
-        let mut watch = Fall { looks: Vec::new(), mass: 0.0, bound };
+        let mut watch = Fall { until, looks: Vec::new(), mass: 0.0, bound };
         let done = check(&mut *simulation, &mut watch, Schedule::default(), Progress::None, true);
         (watch.looks, done)
     }
 
     #[test]
     fn a_check_looks_at_the_start_now_and_then_and_at_the_end() {
-        let (looks, done) = outcome(0.2);
+        let (looks, done) = outcome(0.2, None);
         assert_eq!(looks, [0, 2, 4, 5]);
         done.unwrap();
     }
 
     #[test]
     fn a_failed_check_is_a_failure() {
-        let error = outcome(0.1).1.unwrap_err();
+        let error = outcome(0.1, None).1.unwrap_err();
         let wanted = "1 of 1 checks failed; the first: mass in kg is 0.125, where 0 to 0.1 passes";
+        assert_eq!((error.status(), error.to_string().as_str()), (1, wanted));
+    }
+
+    #[test]
+    fn a_check_may_end_by_simulated_time() {
+        // Steps take 0.2 ms.
+        let (looks, done) = outcome(0.2, Some(5e-4));
+        assert_eq!(looks, [0, 2, 3]);
+        done.unwrap();
+        let (looks, done) = outcome(0.2, Some(0.01));
+        assert_eq!(looks, [0, 2, 4, 5]);
+        let error = done.unwrap_err();
+        let wanted = "the check ends after 0.01 s, and 5 steps came to 0.001 s";
         assert_eq!((error.status(), error.to_string().as_str()), (1, wanted));
     }
 
@@ -192,8 +219,8 @@ mod tests {
 
     #[test]
     fn a_scene_without_a_check_says_so() {
-        fn fall(_scene: &Scene) -> Box<dyn Watch> {
-            Box::new(Fall { looks: Vec::new(), mass: 0.0, bound: 1.0 })
+        fn fall(_scene: &Scene) -> Result<Box<dyn Watch>, SceneError> {
+            Ok(Box::new(Fall { until: None, looks: Vec::new(), mass: 0.0, bound: 1.0 }))
         }
         const fn scene(name: &'static str, gate: Option<Gate>) -> SceneInfo {
             SceneInfo { name, about: "", text: "", gate }
@@ -201,10 +228,9 @@ mod tests {
         const SOME: &[SceneInfo] = &[scene("pool", None), scene("dam", Some(fall)), scene("disk", Some(fall))];
         const NONE: &[SceneInfo] = &[scene("pool", None)];
         let mpm = allotrope_solvers::solver("mpm").unwrap();
-        let with =
-            |scenes| SolverInfo { name: "mpm", about: "", scenes, layouts: &[], unfit: mpm.unfit, build: mpm.build };
+        let with = |scenes| SolverInfo { name: "mpm", about: "", scenes, layouts: &[], dimensions: 2..=3, ..*mpm };
         let some = with(SOME);
-        assert_eq!(gate(&some, "disk").unwrap()(&mpm.scene("mpm88").unwrap()).steps(), 5);
+        assert_eq!(gate(&some, "disk").unwrap()(&mpm.scene("mpm88").unwrap()).unwrap().steps(), 5);
         for name in ["pool", "my.toml"] {
             let error = gate(&some, name).unwrap_err();
             let wanted = format!("scene `{name}` has no check; those that have one are `dam`, `disk`");
