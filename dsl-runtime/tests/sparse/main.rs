@@ -2,6 +2,7 @@
 
 mod concurrent;
 mod lists;
+mod maps;
 mod model;
 mod stencils;
 mod topology;
