@@ -112,6 +112,11 @@ impl MemoryMap<'_> {
         &self.allocations
     }
 
+    /// Whether memory follows what is active, for some members at least.
+    pub fn is_sparse(&self) -> bool {
+        self.branches.iter().any(|branch| branch.plan.chain.is_sparse())
+    }
+
     /// All bytes of the field: as [`Field::bytes`].
     pub fn bytes(&self) -> usize {
         self.bytes
@@ -184,7 +189,9 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
             map.allocations
                 .push(Allocation::dense(self.storage.start().expose_provenance(), self.storage.memory_bytes()));
         }
-        for m in branches::<R, L, X>() {
+        let mut sparse = branches::<R, L, X>();
+        sparse.sort_unstable_by_key(|&m| Map::<R, L, X>::branch(m));
+        for m in sparse {
             let branch = Map::<R, L, X>::branch(m);
             Map::<R, L, X>::walk(&handle.geometry, handle.store(m), m, &mut |brick| map.push(branch, &brick));
         }
