@@ -65,6 +65,7 @@ Examples:
   allotrope map 'v: Vec2, m: f32' 'pointer(ij).bitmasked(ij, 8).aos' --shape 64,64 --active disc
   allotrope map 'id: u32' 'dense(ij).dynamic(k, 64, chunk = 8).aos' --active '0,0,0..20; 3,1,0..5'
   allotrope map f32 'hash(ij).morton(ij, 8).aos' --active '-4..4,-4..4; 1000,2000'
+  allotrope map 'x: Vec2, m: f32' Aos Soa 'AoSoA<8>' --shape 40 --html layouts.html
 
 RECORD is a list of members with their types, or one type: f32, f64, i8 to i64, u8 to u64, bool, glam's vectors, matrices and
 quaternions (Vec2, DVec3, IVec2, Mat3, Quat, ..), arrays [T; N] of these, and records in braces: node: {v: Vec2, m: f32}.

@@ -21,16 +21,14 @@ pub(super) fn chosen(map: &dyn Mapped, budget: usize) -> Vec<Shown> {
     let mut chosen = Vec::new();
     for (number, piece) in pieces.iter().enumerate() {
         let all = piece.bytes.div_ceil(LINE);
-        if left == 0 {
-            break;
-        }
         // A piece after the first is not begun for a line or two.
-        if number > 0 && left < all.min(3) {
+        if left == 0 || number > 0 && left < all.min(3) {
             break;
         }
-        let others = pieces.len() - number;
-        let share = if others == 1 { left } else { left.div_ceil(others.min(3)).max(3).min(left) };
-        let starts: Vec<usize> = map.starts(number).into_iter().map(|start| start / LINE).collect();
+        // The first leaves room for another.
+        let share = if number == 0 && pieces.len() > 1 { (left * 2).div_ceil(3) } else { left };
+        let mut starts: Vec<usize> = map.starts(number).into_iter().map(|start| start / LINE).collect();
+        starts.extend((!piece.activity.is_empty()).then_some(piece.activity.start / LINE));
         let lines = of_piece(all, share, &starts);
         left -= lines.iter().map(Range::len).sum::<usize>().min(left);
         chosen.push(Shown { piece: number, lines });

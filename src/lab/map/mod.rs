@@ -19,16 +19,23 @@
 
 mod colours;
 mod field;
+mod legend;
 mod lines;
+mod overview;
+mod page;
 mod paper;
+mod row;
 mod sums;
 mod svg;
+#[cfg(test)]
+mod tests;
 mod text;
 
 use std::ops::Range;
 
 use allotrope::Standing;
 
+pub use self::page::{Sheet, page};
 pub use self::sums::summary;
 pub use self::svg::Drawing;
 pub use self::text::TextMap;

@@ -22,11 +22,11 @@ pub fn summary(map: &dyn Mapped) -> String {
     let elements = map.shape().iter().map(|&extent| extent as f64).product::<f64>();
     match bytes {
         0 => size(&pieces),
-        _ => format!(
-            "{}, of which {:.1} % hold elements",
-            size(&pieces),
-            100.0 * elements * record as f64 / bytes as f64
-        ),
+        _ => {
+            // Rounded down: all of them are 100 % alone.
+            let share = (1000.0 * elements * record as f64 / bytes as f64).floor() / 10.0;
+            format!("{}, of which {share:.1} % hold elements", size(&pieces))
+        }
     }
 }
 

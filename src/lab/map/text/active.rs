@@ -1,7 +1,7 @@
 //! What is active in a sparse layout: a pattern, or boxes of indices.
 
 use super::levels::Place;
-use super::scan::{Kind, Text, Tokens};
+use super::scan::{Kind, Text, Tokens, nearest};
 use crate::lab::errors::LabError;
 
 /// The most elements that a pattern looks at.
@@ -128,7 +128,7 @@ fn parse(text: Text<'_>, rank: usize) -> Result<Pattern, LabError> {
             }
         }
         name => {
-            let meant = match allotrope_solvers::nearest(name, NAMED) {
+            let meant = match nearest(name, NAMED) {
                 Some(near) => format!("did you mean `{near}`?"),
                 None => {
                     "there are `all`, `none`, `diagonal`, `disc`, `random:10`, and boxes: `0..8,0..8; 20,30`".into()

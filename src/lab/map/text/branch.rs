@@ -35,6 +35,8 @@ pub(super) struct Sparse {
     pub(super) upper: Levels,
     /// Whether the root has no bounds.
     pub(super) hash: bool,
+    /// Whether blocks are the root's own, there from the start, rather than pointed to.
+    pub(super) own: bool,
     pub(super) list: Option<List>,
     /// Cells that share an activity bit; 0 where a block is active as a whole.
     pub(super) grain: usize,
@@ -48,7 +50,8 @@ impl Branch {
         let (upper, levels, grain) = cut(chain);
         let flat = levels.0.is_empty();
         let hash = chain.nodes.first().is_some_and(|node| node.kind == NodeKind::Hash);
-        let sparse = chain.is_sparse().then_some(Sparse { upper, hash, list: chain.list, grain });
+        let own = chain.list.is_none() && !chain.nodes.iter().any(|node| node.kind.points());
+        let sparse = chain.is_sparse().then_some(Sparse { upper, hash, own, list: chain.list, grain });
         Self { levels, root, streams, sparse, align: widest.max(pad), line: LINE.max(pad), flat }
     }
 

@@ -2,10 +2,9 @@
 
 use std::ops::Range;
 
-use allotrope_solvers::nearest;
-
+use super::check;
 use super::nodes::{self, AXES};
-use super::scan::Text;
+use super::scan::{Text, nearest};
 use super::syntax::{self, Syntax, Word};
 use crate::lab::errors::LabError;
 
@@ -109,7 +108,7 @@ pub(super) fn parse(text: &str, rank: Option<usize>) -> Result<Layout, LabError>
         Syntax::Chains(chains) => {
             let branches = chains.iter().map(|words| chain(text, words)).collect::<Result<Vec<_>, _>>()?;
             let layout = Layout { rank: rank_of(&branches), branches };
-            nodes::check(text, &layout)?;
+            check::check(text, &layout)?;
             Ok(layout)
         }
         Syntax::Named { name, at, size } => {

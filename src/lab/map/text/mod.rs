@@ -2,9 +2,11 @@
 
 mod active;
 mod branch;
+mod check;
 mod layout;
 mod levels;
 mod nodes;
+mod places;
 mod record;
 mod scan;
 mod shape;
@@ -13,6 +15,8 @@ mod streams;
 mod syntax;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod wrong;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -141,8 +145,7 @@ fn blocks(number: usize, branch: &Branch, shape: &[usize], places: &[Place]) -> 
             _ => {}
         }
     };
-    // A block of the root's own is there from the start.
-    if !sparse.hash && sparse.upper.0.is_empty() && sparse.list.is_none() {
+    if sparse.own {
         let counts = std::array::from_fn(|a| shape.get(a).map_or(1, |n| n.div_ceil(extent[a] as usize) as i64));
         each(counts, |at| note(std::array::from_fn(|a| at[a] * extent[a]), Active::Bits(BTreeSet::new())));
     }

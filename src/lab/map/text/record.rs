@@ -1,9 +1,8 @@
 //! Records as texts: `x: Vec2, v: Vec2, m: f32`, with records and arrays in them, or a bare element.
 
 use allotrope::MAX_MEMBERS;
-use allotrope_solvers::nearest;
 
-use super::scan::{Kind, Text, Token, Tokens};
+use super::scan::{Kind, Text, Token, Tokens, nearest};
 use crate::lab::errors::LabError;
 use crate::lab::map::Member;
 

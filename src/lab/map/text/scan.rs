@@ -54,6 +54,13 @@ fn word_end(text: &str, signs: &mut Peekable<CharIndices<'_>>) -> usize {
     signs.peek().map_or(text.len(), |&(at, _)| at)
 }
 
+/// The known name that was probably meant. Capitals count for nothing.
+pub(super) fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let known: Vec<(String, &str)> = known.into_iter().map(|known| (known.to_lowercase(), known)).collect();
+    let near = allotrope_solvers::nearest(name, known.iter().map(|(small, _)| small.as_str()))?;
+    known.iter().find(|(small, _)| small == near).map(|&(_, known)| known)
+}
+
 /// What a token is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {

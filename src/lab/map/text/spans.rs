@@ -97,11 +97,12 @@ fn span(
     let place: Place = std::array::from_fn(|axis| first[axis] + inner[axis]);
     let index: Vec<i32> = place[..map.shape.len()].iter().map(|&c| c as i32).collect();
     let sparse = part.branch.sparse.as_ref();
-    let bounded = !sparse.is_some_and(|sparse| sparse.hash);
+    let unbounded = sparse.is_some_and(|sparse| sparse.hash);
+    let list = sparse.and_then(|sparse| sparse.list).map(|list| list.axis);
     let beyond = |(axis, &extent): (usize, &usize)| {
-        // A list has an end, whatever the root.
-        let bounded = bounded || sparse.and_then(|sparse| sparse.list).is_some_and(|list| list.axis == axis);
-        bounded && place[axis] >= extent as i64
+        // Without bounds there are the indices of an `i32`, as far as the one after is one, too; a list has an end all the same.
+        let end = if unbounded && list != Some(axis) { i64::from(i32::MAX) } else { extent as i64 };
+        place[axis] >= end
     };
     let standing = if map.shape.iter().enumerate().any(beyond) {
         Standing::Beyond

@@ -1,7 +1,7 @@
 //! Members under a place: which lie together, and how far apart.
 
 use super::layout::{Chain, Layout, Place};
-use super::scan::Text;
+use super::scan::{Text, nearest};
 use crate::lab::errors::LabError;
 use crate::lab::map::Member;
 
@@ -70,7 +70,7 @@ fn branch(text: Text<'_>, chain: &Chain, members: &[Member], placed: &mut [bool]
 
 fn unknown(name: &str, members: &[Member]) -> String {
     let names = members.iter().map(|member| member.name.as_str());
-    match allotrope_solvers::nearest(name, names.clone()) {
+    match nearest(name, names.clone()) {
         _ if members[0].name.is_empty() => {
             format!(
                 "the record is a bare element without a member `{name}`; write `.aos`, or `.split` for components apart"
