@@ -39,7 +39,7 @@ pub(super) fn chosen(map: &dyn Mapped, budget: usize) -> Vec<Shown> {
 /// At most `share` of a piece's lines: all, or the first and those of the starts.
 fn of_piece(all: usize, share: usize, starts: &[usize]) -> Vec<Range<usize>> {
     if all <= share {
-        return vec![0..all];
+        return std::iter::once(0..all).collect();
     }
     // Up to a half for starts further on, two lines each.
     let mut first = share;
@@ -74,20 +74,25 @@ fn of_piece(all: usize, share: usize, starts: &[usize]) -> Vec<Range<usize>> {
 mod tests {
     use super::*;
 
+    /// First lines and those after the last.
+    fn lines(all: usize, share: usize, starts: &[usize]) -> Vec<(usize, usize)> {
+        of_piece(all, share, starts).into_iter().map(|lines| (lines.start, lines.end)).collect()
+    }
+
     #[test]
     fn what_fits_is_shown_whole() {
-        assert_eq!(of_piece(7, 8, &[0]), [0..7]);
-        assert_eq!(of_piece(0, 8, &[0]), [0..0]);
+        assert_eq!(lines(7, 8, &[0]), [(0, 7)]);
+        assert_eq!(lines(0, 8, &[0]), [(0, 0)]);
     }
 
     #[test]
     fn starts_of_runs_are_shown() {
-        assert_eq!(of_piece(1000, 8, &[0]), [0..8]);
-        assert_eq!(of_piece(1000, 12, &[0, 400, 800]), [0..8, 400..402, 800..802]);
+        assert_eq!(lines(1000, 8, &[0]), [(0, 8)]);
+        assert_eq!(lines(1000, 12, &[0, 400, 800]), [(0, 8), (400, 402), (800, 802)]);
         // Not all where they are many.
-        let lines = of_piece(100_000, 12, &(0..24).map(|n| n * 4000).collect::<Vec<_>>());
-        assert_eq!(lines, [0..6, 4000..4002, 8000..8002, 12_000..12_002]);
+        let some = lines(100_000, 12, &(0..24).map(|n| n * 4000).collect::<Vec<_>>());
+        assert_eq!(some, [(0, 6), (4000, 4002), (8000, 8002), (12_000, 12_002)]);
         // The last line may be the start of a run.
-        assert_eq!(of_piece(100, 8, &[0, 99]), [0..7, 99..100]);
+        assert_eq!(lines(100, 8, &[0, 99]), [(0, 7), (99, 100)]);
     }
 }

@@ -41,7 +41,10 @@ fn texts(svg: &str) -> Vec<([f64; 4], String)> {
     texts.map(text).collect()
 }
 
-const CASES: &[(&str, &str, &[usize], Option<&str>, usize)] = &[
+/// A record, a layout, a shape, what is active, and how many lines are drawn.
+type Case = (&'static str, &'static str, &'static [usize], Option<&'static str>, usize);
+
+const CASES: &[Case] = &[
     ("v: Vec2, m: f32, flag: u8", "dense(ij).dense(ij, 4).soa", &[10, 12], None, 30),
     ("v: Vec2, m: f32, flag: u8", "Aos", &[1000, 1000], None, 24),
     ("a: u8, b: u8", "Split", &[300], None, 24),

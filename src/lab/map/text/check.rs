@@ -36,9 +36,9 @@ pub(super) fn check(text: Text<'_>, layout: &Layout) -> Result<(), LabError> {
                 format!("axis `{letter}` of `dynamic` is not the last one; name the list's axis `{last}`"),
             ));
         }
-        for axis in 0..layout.rank {
+        for (axis, letter) in AXES.iter().enumerate().take(layout.rank) {
             if span(chain, axis) >= TOO_MANY {
-                return Err(text.error(&chain.at, format!("the blocks along axis `{}` are too large together, since indices are `i32`; write smaller ones", AXES[axis])));
+                return Err(text.error(&chain.at, format!("the blocks along axis `{}` are too large together, since indices are `i32`; write smaller ones", letter)));
             }
         }
     }

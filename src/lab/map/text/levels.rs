@@ -66,9 +66,7 @@ impl Levels {
     pub(super) fn number(&self, place: &Place) -> usize {
         let (mut number, mut below) = (0, self.extent());
         for level in &self.0 {
-            for axis in 0..4 {
-                below[axis] /= level.along(axis) as i64;
-            }
+            below = std::array::from_fn(|axis| below[axis] / level.along(axis) as i64);
             for (axis, parts, width) in level.choices() {
                 let digit = place[axis].div_euclid(below[axis] * width as i64).rem_euclid(parts as i64);
                 number = number * parts + digit as usize;
@@ -86,9 +84,7 @@ impl Levels {
                 place[axis] += (rest % parts * width) as i64 * below[axis];
                 rest /= parts;
             }
-            for axis in 0..4 {
-                below[axis] *= level.along(axis) as i64;
-            }
+            below = std::array::from_fn(|axis| below[axis] * level.along(axis) as i64);
         }
         place
     }

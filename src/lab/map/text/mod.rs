@@ -25,7 +25,8 @@ use allotrope::Standing;
 
 use self::branch::Branch;
 use self::layout::Layout;
-use self::levels::{Level, Place};
+use self::levels::Place;
+use self::shape::Rooted;
 use super::{Mapped, Member, Piece, Span};
 use crate::lab::errors::LabError;
 
@@ -50,8 +51,8 @@ pub struct TextMap {
     /// What the layout is written out, where it has a name.
     meaning: Option<String>,
     branches: Vec<Branch>,
-    /// The root of each dense branch, and where in memory it begins.
-    roots: Vec<Option<(Level, usize)>>,
+    /// Of each dense branch.
+    roots: Vec<Option<Rooted>>,
     /// Bytes of all dense branches; 0 where there are none.
     bytes: usize,
     blocks: Vec<Block>,

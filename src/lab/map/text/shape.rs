@@ -60,8 +60,11 @@ fn join(shape: &[usize]) -> String {
     shape.iter().map(usize::to_string).collect::<Vec<_>>().join(",")
 }
 
+/// The root of a dense branch, and where in memory the branch begins.
+pub(super) type Rooted = (Level, usize);
+
 /// The roots of the dense branches with where each begins, and the bytes of them all.
-pub(super) fn lay(branches: &[Branch], shape: &[usize]) -> Result<(Vec<Option<(Level, usize)>>, usize), LabError> {
+pub(super) fn lay(branches: &[Branch], shape: &[usize]) -> Result<(Vec<Option<Rooted>>, usize), LabError> {
     let too_many = || {
         let written = join(shape);
         LabError::usage(format!(

@@ -82,7 +82,9 @@ fn skip_record(tokens: &mut Tokens<'_>) {
             _ => return,
         }
     }
-    (0..=ahead).for_each(|_| drop(tokens.take()));
+    for _ in 0..=ahead {
+        tokens.take();
+    }
 }
 
 fn named<'a>(tokens: &mut Tokens<'a>, wrapped: bool) -> Result<Syntax<'a>, LabError> {
