@@ -37,29 +37,40 @@ pub(super) fn row(paper: &mut Paper, piece: &Piece, line: usize, spans: &[Span],
     let number = bytes.start.to_string();
     let size = SMALL.min((LEFT - 10.0) / (number.len() as f64 * SIGN));
     paper.text([LEFT - 6.0, top + 13.0], size, Side::Right, FAINT, &number);
-    let here: Vec<&Span> = spans.iter().filter(|span| !inside(&span.bytes).is_empty()).collect();
-    for gap in gaps(piece, spans, &bytes) {
+    let (before, here) = within(spans, &bytes);
+    for gap in gaps(piece, here, &bytes) {
         paper.rectangle(area(&gap), &format!(r##"fill="url(#padding)" {EDGE}"##));
     }
     let activity = inside(&piece.activity);
     if !activity.is_empty() {
         paper.rectangle(area(&activity), &format!(r##"fill="url(#bits)" {EDGE}"##));
     }
-    for span in &here {
-        value(paper, area(&inside(&span.bytes)), span, &members[span.member], bytes.contains(&span.bytes.start));
+    for span in here {
+        let part = inside(&span.bytes);
+        value(paper, area(&part), &part, span, &members[span.member]);
     }
-    indices(paper, &here, &bytes, at);
+    indices(paper, here, &bytes, at);
     // Blocks last, over all else.
-    for span in here.iter().filter(|span| bytes.contains(&span.bytes.start)) {
-        let before = spans.iter().take_while(|other| other.bytes.start < span.bytes.start).last();
-        if let Some(before) =
-            before.filter(|before| before.node != span.node && before.bytes.end + LINE > span.bytes.start)
-        {
+    // What is left out between the two is no border, and one that a line before has is not drawn again.
+    let begins = |last: &Span, span: &Span| {
+        last.node != span.node && last.bytes.end + LINE > span.bytes.start && span.bytes.start >= bytes.start
+    };
+    let mut last = before;
+    for span in here {
+        if let Some(last) = last.filter(|last| begins(last, span)) {
             let x = at(span.bytes.start);
-            paper.line([x, top - INDEX + 1.0], [x, top + BOX + 3.0], &border(before.block != span.block));
+            paper.line([x, top - INDEX + 1.0], [x, top + BOX + 3.0], &border(last.block != span.block));
         }
+        last = Some(span);
     }
     paper.y = top + BOX + GAP;
+}
+
+/// The spans that have bytes in a range, and the one before them, of spans in order.
+fn within<'a>(spans: &'a [Span], bytes: &Range<usize>) -> (Option<&'a Span>, &'a [Span]) {
+    let from = spans.partition_point(|span| span.bytes.end <= bytes.start);
+    let to = spans.partition_point(|span| span.bytes.start < bytes.end);
+    (spans[..from].last(), &spans[from..to])
 }
 
 pub(super) fn border(thick: bool) -> String {
@@ -67,7 +78,7 @@ pub(super) fn border(thick: bool) -> String {
 }
 
 /// The box of a span or of the part of it that lies in a line, with its name where there is room.
-fn value(paper: &mut Paper, area: [f64; 4], span: &Span, member: &Member, begins: bool) {
+fn value(paper: &mut Paper, area: [f64; 4], part: &Range<usize>, span: &Span, member: &Member) {
     let fill = colours::of(span.member);
     match span.standing {
         Standing::Beyond => {
@@ -86,15 +97,11 @@ fn value(paper: &mut Paper, area: [f64; 4], span: &Span, member: &Member, begins
     }
     let [x, y, width, height] = area;
     // Where components begin.
-    let scalar = member.scalar_bytes as f64 * BYTE;
-    let mut component = scalar;
-    while begins && component < width - 0.01 {
-        paper.line(
-            [x + component, y + height - 4.0],
-            [x + component, y + height],
-            &format!(r#"stroke="{}" stroke-width="0.8""#, fill.ink),
-        );
-        component += scalar;
+    for start in span.bytes.clone().step_by(member.scalar_bytes).filter(|&start| start > part.start && start < part.end)
+    {
+        let x = x + (start - part.start) as f64 * BYTE;
+        let style = format!(r#"stroke="{}" stroke-width="0.8""#, fill.ink);
+        paper.line([x, y + height - 4.0], [x, y + height], &style);
     }
     let apart = span.components.len() < member.components;
     let name = match (member.name.as_str(), apart) {
@@ -104,7 +111,7 @@ fn value(paper: &mut Paper, area: [f64; 4], span: &Span, member: &Member, begins
         (name, true) => format!("{name}.{}", span.components.start),
     };
     let ink = if span.standing == Standing::Active { fill.ink } else { FAINT };
-    if begins && name.chars().count() as f64 * SMALL * SIGN + 2.0 <= width {
+    if name.chars().count() as f64 * SMALL * SIGN + 2.0 <= width {
         paper.text([x + width / 2.0, y + 11.5], SMALL, Side::Middle, ink, &name);
     }
 }
@@ -117,7 +124,7 @@ pub(super) fn filled(paper: &mut Paper, area: [f64; 4], fill: Fill, style: &str)
 }
 
 /// The index of each element above where it begins, as many as there is room for.
-fn indices(paper: &mut Paper, here: &[&Span], bytes: &Range<usize>, at: impl Fn(usize) -> f64) {
+fn indices(paper: &mut Paper, here: &[Span], bytes: &Range<usize>, at: impl Fn(usize) -> f64) {
     let mut free = 0.0;
     let mut last: Option<&Span> = None;
     for span in here {
