@@ -143,6 +143,55 @@ const COMMAND_LINES: &[Case] = &[
         "run mpm --check --steps 5",
         "the argument `--check` cannot be used with `--steps <N>`; `allotrope --help` tells what there is",
     ),
+    wrong("map x:Vce2 Aos", "record `x:Vce2`: column 3, `Vce2`: there is no element type `Vce2`; did you mean `Vec2`?"),
+    wrong(
+        "map f32 dens(ij).aos",
+        "layout `dens(ij).aos`: column 1, `dens`: there is no node or place `dens`; did you mean `dense`?",
+    ),
+    wrong(
+        "map f32 dense(ij).place([v])",
+        "layout `dense(ij).place([v])`: column 18, `v`: the record is a bare element without a member `v`; write `.aos`, or `.split` for components apart",
+    ),
+    wrong(
+        "map f32",
+        "the following required arguments were not provided: <LAYOUT>...; `allotrope --help` tells what there is",
+    ),
+    wrong(
+        "map f32 Aos --shape 8x8",
+        "invalid value `8x8` for `--shape <N,M>`: one to four numbers with commas between them are wanted, `64,48` say",
+    ),
+    wrong(
+        "map f32 dense(ij).aos --shape 8",
+        "shape `8`: it has 1 extents, and the layout `dense(ij).aos` goes over `ij`; write `16,16`, say",
+    ),
+    wrong(
+        "map f32 Aos --shape 2000000000,2000000000",
+        "shape `2000000000,2000000000`: so many elements have more bytes than a machine can address; write a smaller shape",
+    ),
+    wrong(
+        "map [u8;2000000] Aos",
+        "record `[u8;2000000]`: column 5, `2000000`: the array is too long; a record of at most 1048576 bytes can be drawn",
+    ),
+    wrong(
+        "map f32 Aos --active all",
+        "the layout `Aos` has no sparse nodes, so that all its elements are active; leave the activity out",
+    ),
+    wrong(
+        "map f32 Sparse<4> --active disk",
+        "activity `disk`: column 1, `disk`: there is no pattern `disk`; did you mean `disc`?",
+    ),
+    wrong(
+        "map f32 Sparse<4> --shape 4096,4096 --active all",
+        "activity `all`: column 1, `all`: 16777216 elements are more than the 1048576 that can be looked at; write a smaller shape, or boxes: `0..8,0..8`",
+    ),
+    wrong("map f32 Aos --lines 0", "invalid value `0` for `--lines <N>`: 0 is not in 1..=2000"),
+    wrong("map f32 Aos Soa", "`Soa` is a second layout; several are drawn on a page, with `--html FILE`"),
+    wrong(
+        "map f32 Aos --out a.svg --html b.html",
+        "the argument `--out <FILE>` cannot be used with `--html <FILE>`; `allotrope --help` tells what there is",
+    ),
+    wrong("map f32 Aos --out .", "`.` cannot be written: it is a folder"),
+    machine("map f32 Aos --out file/below", "`file/below` cannot be written: Not a directory (os error 20)"),
     wrong("scene chekc", "unrecognized subcommand `chekc`; did you mean `check`?"),
     wrong("scene show bunyn", "scene `bunyn`: `mpm` has no scene of this name; did you mean `bunny`?"),
     wrong(

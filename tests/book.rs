@@ -16,7 +16,8 @@ fn chapters() -> Vec<(String, String)> {
         let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
         (name, fs::read_to_string(&path).expect("a chapter"))
     };
-    files.map(text).filter(|(name, _)| name != "SUMMARY").collect()
+    let chapters = files.filter(|path| path.extension().is_some_and(|ending| ending == "md"));
+    chapters.map(text).filter(|(name, _)| name != "SUMMARY").collect()
 }
 
 /// The targets of links: `[..](target)`.
@@ -50,12 +51,48 @@ fn links_lead_somewhere() {
     assert!(checked > 5, "only {checked} links");
 }
 
+/// The words of a line of a shell, of which some stand in quotes.
+fn words(line: &str) -> Vec<String> {
+    let mut words = Vec::new();
+    for (n, piece) in line.split('\'').enumerate() {
+        match n % 2 {
+            0 => words.extend(piece.split_whitespace().map(String::from)),
+            _ => words.push(piece.into()),
+        }
+    }
+    words
+}
+
+/// Pictures of layouts in the book are those that the commands beside them make. With `ALLOTROPE_BLESS` set they are made anew.
+#[test]
+fn maps_are_what_their_commands_draw() {
+    let mut checked = 0;
+    for (name, text) in chapters() {
+        for line in text.lines().filter(|line| line.starts_with("allotrope map ") && line.contains(" --out ")) {
+            let words = words(line);
+            let (arguments, file) = (&words[1..words.len() - 2], &words[words.len() - 1]);
+            let output = Command::new(env!("CARGO_BIN_EXE_allotrope")).args(arguments).output().expect("runs");
+            assert!(output.status.success(), "{name}.md: {line}: {}", String::from_utf8_lossy(&output.stderr));
+            let path = source().join(file);
+            if std::env::var_os("ALLOTROPE_BLESS").is_some() {
+                fs::write(&path, &output.stdout).expect("a picture");
+            }
+            let kept = fs::read(&path).expect("a picture beside the chapter");
+            assert!(kept == output.stdout, "{name}.md: {file} is not what `{line}` draws");
+            assert!(links(&text).contains(&file.as_str()), "{name}.md does not show {file}");
+            checked += 1;
+        }
+    }
+    assert!(checked >= 1, "no map");
+}
+
 #[test]
 fn commands_exist() {
     let mut checked = 0;
     for (name, text) in chapters() {
         for line in text.lines().filter(|line| line.starts_with("allotrope ")) {
-            let command = line.split_whitespace().skip(1).take_while(|word| !word.starts_with("--"));
+            let words = words(line);
+            let command = words.iter().skip(1).take_while(|word| !word.starts_with("--"));
             let output =
                 Command::new(env!("CARGO_BIN_EXE_allotrope")).args(command).arg("--help").output().expect("runs");
             let help = String::from_utf8_lossy(&output.stdout);

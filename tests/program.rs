@@ -422,6 +422,43 @@ fn no_escapes_are_written_into_files() {
 }
 
 #[test]
+fn map_draws_layouts() {
+    let record = "v: Vec2, m: f32";
+    let printed = succeeds(&["map", record, "Blocked<4>", "--shape", "10,12"]);
+    assert!(printed.starts_with("<svg ") && printed.ends_with("</svg>\n"), "{printed}");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("map.svg");
+    let file = path.to_str().unwrap();
+    let text = succeeds(&["map", record, "Blocked<4>", "--shape", "10,12", "--out", file]);
+    let about = "27 lines, 1,728 bytes, of which 83.3 % hold elements";
+    assert_eq!(
+        text,
+        format!("Blocked<4> = dense(ij).dense(ij, 4).aos, 10 x 12 elements: {about}\nwritten to {file}\n")
+    );
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), printed);
+    assert!(printed.contains(about) && printed.contains(">v: Vec2, 8 bytes<"), "{printed}");
+
+    // What is wrong leaves what was there.
+    let message = refused(&["map", record, "Bocked<4>", "--out", file]);
+    assert!(message.ends_with("there is no layout `Bocked`; did you mean `Blocked`?"), "{message}");
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), printed);
+
+    let active = ["--shape", "8,8", "--active", "-4..4,-4..4"];
+    let text = succeeds(&[&["map", "f32", "hash(ij).dense(ij, 4).soa", "--out", file][..], &active].concat());
+    assert!(text.contains(" elements: 4 lines, 256 bytes in 4 allocated blocks\n"), "{text}");
+
+    let page = folder.path().join("page.html");
+    let layouts = ["map", record, "Aos", "Soa", "Sparse<4>", "--shape", "10,12", "--active", "0,0"];
+    let text = succeeds(&[&layouts[..], &["--html", page.to_str().unwrap()]].concat());
+    assert!(text.lines().count() == 4 && text.contains("in 1 allocated block\n"), "{text}");
+    let html = std::fs::read_to_string(&page).unwrap();
+    assert_eq!((html.matches("<svg ").count(), html.matches("<figure").count()), (3, 3));
+    // Nothing is fetched.
+    let fetched = html.replace("http://www.w3.org/2000/svg", "");
+    assert!(!fetched.contains("http") && !fetched.contains("src=") && !fetched.contains("<script"), "{html}");
+}
+
+#[test]
 fn scenes_are_shown_and_checked() {
     let folder = tempfile::tempdir().unwrap();
     let text = succeeds(&["scene", "show", "mpm88"]);

@@ -158,6 +158,7 @@
 //! | [`reorder_by_key`](Field::reorder_by_key) | a stable sort of whole records, which returns the [`Permutation`] |
 //! | [`scatter`](Field::scatter) | another field's records put where a permutation says |
 //! | [`save`](Field::save), [`load`](Field::load) | the field as an `.npz` file, which NumPy opens |
+//! | [`memory_map`](Field::memory_map) | where in memory each member of each element lies |
 //!
 //! From `relayout` to `scatter` they run on the threads of the [`Schedule`], and give the same bits for any number of them; `par_iter` is rayon's.
 //!
@@ -395,9 +396,9 @@ pub use axes::{Axes, I, Ij, Ijk, Ijkl, O, Shape};
 pub use element::{Element, Scalar};
 pub use enumeration::{Enumeration, Representation};
 pub use field::{
-    AnyMember, AnyMemberMut, Entries, Field, FileError, FileFault, ListFull, Member, MemberMut, NonFinite, OutOfRange,
-    ParallelRecords, Permutation, PermutationError, Records, ScanOverflow, ShapeError, ShapeMismatch, Source,
-    SourceMut,
+    Allocation, AnyMember, AnyMemberMut, Entries, Field, FileError, FileFault, ListFull, MapMember, Member, MemberMut,
+    MemoryMap, NonFinite, OutOfRange, ParallelRecords, Permutation, PermutationError, Records, ScanOverflow,
+    ShapeError, ShapeMismatch, Source, SourceMut, Span, Standing,
 };
 pub use index::{Integer, IntoIndex};
 pub use launch::cpu::Cpu;

@@ -10,6 +10,7 @@ pub mod errors;
 pub mod export;
 pub mod list;
 pub mod machine;
+pub mod map;
 pub mod output;
 pub mod peers;
 pub mod render;

@@ -53,6 +53,11 @@ impl Storage {
         self.memory.bytes() + stores
     }
 
+    /// Bytes of the memory of dense branches; of a sparse branch it holds an address.
+    pub(crate) fn memory_bytes(&self) -> usize {
+        self.memory.bytes()
+    }
+
     /// Frees what no loop can be using any more.
     #[inline(always)]
     pub(crate) fn settle(&mut self) {

@@ -28,15 +28,17 @@ struct Facts {
 
 impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     // Tables stand behind references: a use then reads one entry, and copies nothing.
-    const STREAMS: &'static Streams = &Streams::of(L::CHAIN.spec, L::CHAIN.pad, R::Elements::MEMBERS, Names::<R>::ALL);
-    const CHAIN: &'static Chain = &L::CHAIN;
+    pub(super) const STREAMS: &'static Streams =
+        &Streams::of(L::CHAIN.spec, L::CHAIN.pad, R::Elements::MEMBERS, Names::<R>::ALL);
+    pub(super) const CHAIN: &'static Chain = &L::CHAIN;
     /// What each run of a flat root begins at a multiple of: a cache line, or what the layout asks for.
     pub(super) const RUN_LINE: usize = if L::CHAIN.pad > LINE { L::CHAIN.pad } else { LINE };
     /// What the field's memory and each branch begin at a multiple of.
     pub(crate) const LINE: usize = Self::line();
-    const FLAT: bool = L::CHAIN.is_flat();
+    pub(super) const FLAT: bool = L::CHAIN.is_flat();
     /// Bytes of the innermost node (constant trees).
-    const LEAF_BYTES: usize = round_up(Self::STREAMS.bytes(L::CHAIN.leaf, Self::STREAMS.align), Self::STREAMS.align);
+    pub(super) const LEAF_BYTES: usize =
+        round_up(Self::STREAMS.bytes(L::CHAIN.leaf, Self::STREAMS.align), Self::STREAMS.align);
     /// Bytes of one of the root's cells (constant trees).
     pub(super) const BLOCK_BYTES: usize =
         if Self::FLAT { 0 } else { L::CHAIN.cells / L::CHAIN.leaf * Self::LEAF_BYTES };

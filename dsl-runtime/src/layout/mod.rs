@@ -11,6 +11,7 @@ pub(crate) mod map;
 pub(crate) mod morton;
 pub(crate) mod node;
 pub(crate) mod place;
+pub(crate) mod plan;
 mod pointer;
 mod sparse;
 

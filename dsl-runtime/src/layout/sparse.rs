@@ -53,7 +53,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         let node = <L::Levels as Levels<X>>::BYTES;
         if node == 0 { Self::SIZES.brick } else { node }
     };
-    const SIZES: Sizes = {
+    pub(super) const SIZES: Sizes = {
         let (line, bits) = (Self::RUN_LINE, L::CHAIN.bits());
         let bits_at = super::place::round_up(Self::BLOCK_BYTES, 8);
         let brick = super::place::round_up(bits_at + bits.div_ceil(64) * 8, line);

@@ -3,9 +3,11 @@
 mod oracle;
 mod records;
 
+use std::collections::HashMap;
+
 use allotrope::__private::byte_offset;
 use allotrope::prelude::*;
-use allotrope::{Axes, Shape};
+use allotrope::{Axes, MemoryMap, Shape, Span, Standing};
 use records::{Body, Node, Outer, Sample};
 
 /// All elements of a shape in row-major order.
@@ -29,6 +31,8 @@ struct Seen<R: Sample> {
     bytes: usize,
     /// Of each component of each member of each element.
     offsets: Vec<usize>,
+    /// The same from the field's memory map: the element, the member, the component, and where it lies.
+    mapped: Vec<(Vec<usize>, usize, usize, usize)>,
     /// The records after `set`, through `get`, `iter`, and the changes of layout there and back.
     records: Vec<Vec<R>>,
 }
@@ -43,13 +47,34 @@ fn observe<const MOVES: bool, R: Sample, L: Layout<S::X>, S: Shape>(shape: S) ->
     for &element in &elements {
         offsets.extend(R::components().map(|(m, component)| byte_offset(&field, element, m, component)));
     }
+    let mapped = mapped(&field.memory_map());
     let got = elements.iter().map(|&element| field.get(element)).collect();
     let mut records = vec![got, field.iter().collect()];
     if const { MOVES } {
         let blocks = field.relayout::<Blocked<3>>();
         records.extend([blocks.iter().collect(), blocks.relayout::<L>().iter().collect()]);
     }
-    Seen { shape: field.shape().as_ref().to_vec(), bytes: field.bytes(), offsets, records }
+    Seen { shape: field.shape().as_ref().to_vec(), bytes: field.bytes(), offsets, mapped, records }
+}
+
+/// What a memory map of a dense field tells, all at once and line by line.
+fn mapped(map: &MemoryMap<'_>) -> Vec<(Vec<usize>, usize, usize, usize)> {
+    assert_eq!((map.allocations().len(), map.overhead()), (1, 0));
+    let spans: Vec<Span> = map.spans().collect();
+    let lines = (0..map.bytes()).step_by(64).flat_map(|line| map.spans_in(0, line..line + 64));
+    let mut by_lines: Vec<Span> = lines.collect();
+    by_lines.dedup();
+    assert!(spans == by_lines, "spans of lines");
+    let ends = spans.iter().zip(spans.iter().skip(1));
+    assert!({ ends }.all(|(a, b)| a.bytes.end <= b.bytes.start), "spans lie one after another");
+    let elements = spans.iter().filter(|span| span.standing != Standing::Beyond);
+    let components = elements.flat_map(|span| {
+        let element: Vec<usize> = span.index().iter().map(|&n| n as usize).collect();
+        let bytes = span.bytes.clone().step_by(map.members()[span.member].scalar_bytes);
+        let components = span.components.clone().zip(bytes);
+        components.map(move |(component, byte)| (element.clone(), span.member, component, byte))
+    });
+    components.collect()
 }
 
 /// One layout, record and shape: addresses as the oracle says, values as they were put, in logical row-major order.
@@ -72,6 +97,11 @@ fn check<R: Sample>(text: &str, seen: &Seen<R>) {
             }
         }
     }
+    let told = seen.mapped.iter().map(|(element, m, component, byte)| ((element.clone(), *m, *component), *byte));
+    assert!(
+        told.clone().count() == map.offsets.len() && told.collect::<HashMap<_, _>>() == map.offsets,
+        "map of {context}"
+    );
     let samples: Vec<R> = (0..elements.len()).map(R::sample).collect();
     for (records, way) in seen.records.iter().zip(["get", "iter", "relayout to blocks", "relayout from blocks"]) {
         let wrong = records.iter().zip(&samples).position(|(record, sample)| record != sample);

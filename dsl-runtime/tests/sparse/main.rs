@@ -3,6 +3,7 @@
 mod concurrent;
 mod lists;
 mod masked;
+mod maps;
 mod model;
 mod stencils;
 mod topology;

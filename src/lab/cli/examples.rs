@@ -69,6 +69,26 @@ Examples:
 `allotrope list` tells the workloads. Both sides have the same inputs, and their results are compared before anything is timed. `tuned` is Taichi as an
 expert would write it (scatters in a serial loop without atomic adds, rows instead of a condition at each cell).";
 
+/// Of `map`.
+pub(super) const MAP: &str = "\
+Examples:
+  allotrope map 'x: Vec2, v: Vec2, m: f32' Aos --out aos.svg
+  allotrope map 'x: Vec2, v: Vec2, m: f32' 'AoSoA<16>' --shape 100 --out aosoa.svg
+  allotrope map 'v: Vec2, m: f32' 'dense(ij).dense(ij, 4).soa' --shape 10,12 > blocks.svg
+  allotrope map 'v: Vec3, m: f32' 'dense(ijk).place([v], [split(m)])'
+  allotrope map 'v: Vec2, m: f32' 'pointer(ij).bitmasked(ij, 8).aos' --shape 64,64 --active disc
+  allotrope map 'id: u32' 'dense(ij).dynamic(k, 64, chunk = 8).aos' --active '0,0,0..20; 3,1,0..5'
+  allotrope map f32 'hash(ij).morton(ij, 8).aos' --active '-4..4,-4..4; 1000,2000'
+  allotrope map 'x: Vec2, m: f32' Aos Soa 'AoSoA<8>' --shape 40 --html layouts.html
+
+RECORD is a list of members with their types, or one type: f32, f64, i8 to i64, u8 to u64, bool, glam's vectors, matrices and
+quaternions (Vec2, DVec3, IVec2, Mat3, Quat, ..), arrays [T; N] of these, and records in braces: node: {v: Vec2, m: f32}.
+LAYOUT is what stands in `layout!(..)`, or a layout with a name: Aos, Soa, Split, AoSoA<N>, Blocked<N>, Morton<N>, Sparse<N>,
+SparseHash<N>. The quotes keep the shell from reading brackets and spaces.
+
+A row of the picture is a cache line. Nothing is compiled or allocated for it, so that layouts of any size can be drawn. In a
+program, `field.memory_map()` tells the same of a field, and `allotrope_lab::lab::map::Drawing` draws it.";
+
 /// Of `scene`.
 pub(super) const SCENE: &str = "\
 Examples:

@@ -4,6 +4,7 @@ mod bench;
 mod compare;
 mod convert_cost;
 mod examples;
+mod map;
 mod run;
 mod scene;
 mod scenes;
@@ -19,6 +20,7 @@ use clap_complete::Shell;
 pub use self::bench::BenchArguments;
 pub use self::compare::CompareCommand;
 pub use self::convert_cost::ConvertCostArguments;
+pub use self::map::MapArguments;
 pub use self::run::RunArguments;
 pub use self::scene::SceneCommand;
 use super::errors::LabError;
@@ -49,6 +51,9 @@ enum Command {
     /// Compares our workloads with other systems'
     #[command(subcommand, after_help = examples::COMPARE)]
     Compare(CompareCommand),
+    /// Draws where the members of records lie in a layout
+    #[command(after_help = examples::MAP)]
+    Map(MapArguments),
     /// Reads scenes without running them
     #[command(subcommand, after_help = examples::SCENE)]
     Scene(SceneCommand),
@@ -117,6 +122,7 @@ impl Cli {
             Command::Bench(arguments) => arguments.execute(),
             Command::ConvertCost(arguments) => arguments.execute(),
             Command::Compare(command) => command.execute(),
+            Command::Map(arguments) => arguments.execute(),
             Command::Scene(command) => command.execute(),
             Command::Completions(arguments) => arguments.execute(),
         }
@@ -146,6 +152,18 @@ mod tests {
         [command.clone()].into_iter().chain(below).collect()
     }
 
+    /// The words of a line of a shell, of which some stand in quotes, up to its comment.
+    fn words(line: &str) -> Vec<String> {
+        let mut words = Vec::new();
+        for (n, piece) in line.split('\'').enumerate() {
+            match n % 2 {
+                0 => words.extend(piece.split('#').next().unwrap_or_default().split_whitespace().map(String::from)),
+                _ => words.push(piece.into()),
+            }
+        }
+        words
+    }
+
     #[test]
     fn help_ends_with_examples_that_can_be_parsed() {
         for command in every(&Cli::command()) {
@@ -153,8 +171,7 @@ mod tests {
             let lines: Vec<_> = help.lines().filter(|line| line.starts_with("  allotrope ")).collect();
             assert!(!lines.is_empty(), "`{}` has no examples", command.get_name());
             for line in lines {
-                let words = line.split('#').next().unwrap_or_default().split_whitespace();
-                let parsed = Cli::try_parse_from(words);
+                let parsed = Cli::try_parse_from(words(line));
                 assert!(parsed.is_ok(), "{line}: {}", parsed.unwrap_err());
             }
         }

@@ -41,6 +41,13 @@ pub(super) fn positive(text: &str) -> Result<f64, String> {
     }
 }
 
+/// Extents, with commas between them: one to four.
+pub(super) fn shape(text: &str) -> Result<std::sync::Arc<[usize]>, String> {
+    let wanted = "one to four numbers with commas between them are wanted, `64,48` say";
+    let extents: Result<Vec<usize>, _> = text.split(',').map(|extent| extent.trim().parse()).collect();
+    extents.ok().filter(|extents| extents.len() <= 4).map(Into::into).ok_or_else(|| wanted.into())
+}
+
 /// The words between commas, each once.
 pub(super) fn words(list: &str) -> Vec<&str> {
     let mut words: Vec<&str> = Vec::new();
@@ -69,6 +76,8 @@ mod tests {
         assert_eq!(steps("0"), Err("it must be at least 1".into()));
         assert!(count("0").is_err() && count("-1").is_err() && threads("100000").is_err());
         assert_eq!(finite("-2.5"), Ok(-2.5));
+        assert_eq!(shape("64, 48").as_deref(), Ok(&[64, 48][..]));
+        assert!(shape("").is_err() && shape("8,").is_err() && shape("1,2,3,4,5").is_err() && shape("-1").is_err());
         assert!(positive("0").is_err() && positive("1.5").is_ok());
         assert!(finite("inf").is_err() && finite("x").is_err());
     }
