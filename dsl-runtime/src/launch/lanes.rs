@@ -165,7 +165,6 @@ impl<T: InLanes, const W: usize> Lanes<T, W> {
 
     /// A variable that no element has set.
     #[inline(always)]
-    #[expect(clippy::new_without_default, reason = "only expansions call it")]
     pub fn new(_: Width<W>) -> Self {
         Self { values: [const { MaybeUninit::zeroed() }; W] }
     }
@@ -220,7 +219,6 @@ pub struct Mask<const W: usize>([u32; W]);
 impl<const W: usize> Mask<W> {
     /// A mask that lets nothing through.
     #[inline(always)]
-    #[expect(clippy::new_without_default, reason = "only expansions call it")]
     pub fn new(_: Width<W>) -> Self {
         Self([0; W])
     }

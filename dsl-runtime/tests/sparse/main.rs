@@ -2,8 +2,8 @@
 
 mod concurrent;
 mod lists;
-mod masked;
 mod maps;
+mod masked;
 mod model;
 mod stencils;
 mod topology;
