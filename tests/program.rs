@@ -459,6 +459,27 @@ fn map_draws_layouts() {
 }
 
 #[test]
+fn what_the_help_of_map_shows_can_be_done() {
+    let folder = tempfile::tempdir().unwrap();
+    let help = succeeds(&["map", "--help"]);
+    let mut drawn = 0;
+    for line in help.lines().filter_map(|line| line.strip_prefix("  allotrope ")) {
+        // Every second piece stands in quotes.
+        let pieces = line.split('\'').enumerate();
+        let words =
+            pieces.flat_map(|(n, piece)| if n % 2 == 0 { piece.split_whitespace().collect() } else { vec![piece] });
+        let words: Vec<&str> = words.collect();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_allotrope"));
+        let output = command.args(&words).current_dir(folder.path()).output().unwrap();
+        assert!(output.status.success(), "{line}: {}", String::from_utf8_lossy(&output.stderr));
+        let picture = std::fs::read_to_string(folder.path().join(words[words.len() - 1])).unwrap();
+        assert!(picture.contains("<svg ") && picture.contains("fill=\"#56b4e9\""), "{line}");
+        drawn += 1;
+    }
+    assert!(drawn >= 8, "{help}");
+}
+
+#[test]
 fn scenes_are_shown_and_checked() {
     let folder = tempfile::tempdir().unwrap();
     let text = succeeds(&["scene", "show", "mpm88"]);

@@ -74,11 +74,11 @@ pub(super) const MAP: &str = "\
 Examples:
   allotrope map 'x: Vec2, v: Vec2, m: f32' Aos --out aos.svg
   allotrope map 'x: Vec2, v: Vec2, m: f32' 'AoSoA<16>' --shape 100 --out aosoa.svg
-  allotrope map 'v: Vec2, m: f32' 'dense(ij).dense(ij, 4).soa' --shape 10,12 > blocks.svg
-  allotrope map 'v: Vec3, m: f32' 'dense(ijk).place([v], [split(m)])'
-  allotrope map 'v: Vec2, m: f32' 'pointer(ij).bitmasked(ij, 8).aos' --shape 64,64 --active disc
-  allotrope map 'id: u32' 'dense(ij).dynamic(k, 64, chunk = 8).aos' --active '0,0,0..20; 3,1,0..5'
-  allotrope map f32 'hash(ij).morton(ij, 8).aos' --active '-4..4,-4..4; 1000,2000'
+  allotrope map 'v: Vec2, m: f32' 'dense(ij).dense(ij, 4).soa' --shape 10,12 --out blocks.svg
+  allotrope map 'v: Vec3, m: f32' 'dense(ijk).place([v], [split(m)])' --out groups.svg
+  allotrope map 'v: Vec2, m: f32' 'pointer(ij).bitmasked(ij, 8).aos' --shape 64,64 --active disc --out sparse.svg
+  allotrope map 'id: u32' 'dense(ij).dynamic(k, 64, chunk = 8).aos' --active '0,0,0..20; 3,1,0..5' --out lists.svg
+  allotrope map f32 'hash(ij).morton(ij, 8).aos' --active '-4..4,-4..4; 1000,2000' --out unbounded.svg
   allotrope map 'x: Vec2, m: f32' Aos Soa 'AoSoA<8>' --shape 40 --html layouts.html
 
 RECORD is a list of members with their types, or one type: f32, f64, i8 to i64, u8 to u64, bool, glam's vectors, matrices and

@@ -80,7 +80,7 @@ impl Overview {
         let extent: Vec<String> = self.extent.iter().map(i64::to_string).collect();
         let axes = if self.extent.len() == 1 { "`i` to the right" } else { "`i` down, `j` to the right" };
         let text = format!(
-            "{} of {} blocks of {} are allocated, the darker the more of their elements are active ({}):",
+            "Allocated are {} of {} blocks of {}, the darker the more of their elements are active ({}):",
             self.share.len(),
             self.count[0] * self.count[1],
             extent.join(" x "),

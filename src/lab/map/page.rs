@@ -24,7 +24,7 @@ th, td { text-align: left; padding: 0.25rem 1rem 0.25rem 0; border-bottom: 1px s
 main { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 26rem), 1fr)); gap: 1rem; margin-top: 1rem; align-items: start; }
 figure { margin: 0; border: 1px solid #d1d5db; padding: 0.25rem; }
 svg { display: block; width: 100%; height: auto; }
-@media print { body { margin: 0; } main { display: block; } figure { border: 0; break-inside: avoid; break-after: page; } }
+@media print { body { margin: 0; } main { display: block; } figure { border: 0; break-inside: avoid; } figure + figure { break-before: page; } svg { max-height: 24cm; } }
 ";
 
 /// A page with a headline, a table of the layouts, and their pictures side by side where there is room.

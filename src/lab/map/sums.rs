@@ -16,7 +16,8 @@ pub fn summary(map: &dyn Mapped) -> String {
     let bytes: usize = pieces.iter().map(|piece| piece.bytes).sum();
     let blocks = pieces.iter().filter(|piece| piece.block.is_some()).count();
     if map.is_sparse() {
-        return format!("{} in {}", size(&pieces), plural(blocks, "allocated block"));
+        let dense = if pieces.len() > blocks { "dense memory and " } else { "" };
+        return format!("{} in {dense}{}", size(&pieces), plural(blocks, "allocated block"));
     }
     let record: usize = map.members().iter().map(super::Member::bytes).sum();
     let elements = map.shape().iter().map(|&extent| extent as f64).product::<f64>();

@@ -109,7 +109,7 @@ fn what_is_left_out_is_told() {
     assert!(long.contains(">8388608<"), "{long}");
     let sparse = svg("m: f32", "Sparse<8>", &[64, 64], Some("all"), 8);
     assert!(
-        sparse.contains("64 of 64 blocks of 8 x 8 are allocated") && sparse.contains("62 blocks not shown"),
+        sparse.contains("Allocated are 64 of 64 blocks of 8 x 8") && sparse.contains("62 blocks not shown"),
         "{sparse}"
     );
 }

@@ -7,6 +7,8 @@ use crate::lab::errors::LabError;
 
 /// The most nodes with a size.
 const MOST_NODES: usize = 6;
+/// The most cells of all nodes with a size.
+const MOST_CELLS: u128 = 1 << 48;
 /// The most branches.
 const MOST_BRANCHES: usize = 4;
 
@@ -38,8 +40,14 @@ pub(super) fn check(text: Text<'_>, layout: &Layout) -> Result<(), LabError> {
         }
         for (axis, letter) in AXES.iter().enumerate().take(layout.rank) {
             if span(chain, axis) >= TOO_MANY {
-                return Err(text.error(&chain.at, format!("the blocks along axis `{}` are too large together, since indices are `i32`; write smaller ones", letter)));
+                return Err(text.error(&chain.at, format!("the blocks along axis `{letter}` are too large together, since indices are `i32`; write smaller ones")));
             }
+        }
+        let cells = (0..AXES.len()).map(|axis| span(chain, axis)).fold(1, u128::saturating_mul);
+        if cells > MOST_CELLS {
+            return Err(
+                text.error(&chain.at, "the blocks have more cells than a machine can address; write smaller ones")
+            );
         }
     }
     check_branches(text, layout)

@@ -1,6 +1,7 @@
 //! Maps of layouts that are texts: an interpreter of the language's layouts, for which nothing is compiled.
 
 mod active;
+mod blocks;
 mod branch;
 mod check;
 mod layout;
@@ -18,14 +19,11 @@ mod tests;
 #[cfg(test)]
 mod wrong;
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use allotrope::Standing;
-
+use self::blocks::Block;
 use self::branch::Branch;
 use self::layout::Layout;
-use self::levels::Place;
 use self::shape::Rooted;
 use super::{Mapped, Member, Piece, Span};
 use crate::lab::errors::LabError;
@@ -56,24 +54,6 @@ pub struct TextMap {
     /// Bytes of all dense branches; 0 where there are none.
     bytes: usize,
     blocks: Vec<Block>,
-}
-
-/// A block of a sparse branch.
-#[derive(Clone, Debug)]
-struct Block {
-    branch: usize,
-    first: Place,
-    active: Active,
-}
-
-/// What of a block is active.
-#[derive(Clone, Debug)]
-enum Active {
-    Whole,
-    /// The cells of these bits.
-    Bits(BTreeSet<usize>),
-    /// So many entries of a list.
-    Entries(usize),
 }
 
 impl TextMap {
@@ -118,74 +98,10 @@ impl TextMap {
         let places = active::elements(active.unwrap_or("diagonal"), &self.shape, !hash)?;
         for (number, branch) in self.branches.iter().enumerate() {
             if layout.branches[number].is_sparse() {
-                self.blocks.extend(blocks(number, branch, &self.shape, &places));
+                self.blocks.extend(blocks::of(text, number, branch, &self.shape, &places)?);
             }
         }
         Ok(())
-    }
-}
-
-/// The blocks of a sparse branch in which these places lie, in the order of its tree.
-fn blocks(number: usize, branch: &Branch, shape: &[usize], places: &[Place]) -> Vec<Block> {
-    let Some(sparse) = &branch.sparse else { return Vec::new() };
-    let (extent, root) = (branch.levels.extent(), branch.root_extent());
-    let first_of = |place: &Place| -> Place { std::array::from_fn(|a| place[a].div_euclid(extent[a]) * extent[a]) };
-    let mut blocks: BTreeMap<(Vec<i64>, usize, i64), Block> = BTreeMap::new();
-    let mut note = |first: Place, active: Active| {
-        let cell: Vec<i64> = branch.root.iter().map(|&a| first[a].div_euclid(root[a])).collect();
-        let above = std::array::from_fn(|a| if is_list(sparse, a) { 0 } else { first[a].div_euclid(extent[a]) });
-        let chunk = sparse.list.map_or(0, |list| first[list.axis]);
-        let block = blocks.entry((cell, sparse.upper.number(&above), chunk)).or_insert(Block {
-            branch: number,
-            first,
-            active: active.clone(),
-        });
-        match (&mut block.active, active) {
-            (Active::Bits(bits), Active::Bits(more)) => bits.extend(more),
-            (Active::Entries(entries), Active::Entries(more)) => *entries = more.max(*entries),
-            _ => {}
-        }
-    };
-    if sparse.own {
-        let counts = std::array::from_fn(|a| shape.get(a).map_or(1, |n| n.div_ceil(extent[a] as usize) as i64));
-        each(counts, |at| note(std::array::from_fn(|a| at[a] * extent[a]), Active::Bits(BTreeSet::new())));
-    }
-    for place in places {
-        let first = first_of(place);
-        match sparse.list {
-            // The entries before it are there, too.
-            Some(list) => {
-                for chunk in 0..=place[list.axis] / list.chunk as i64 {
-                    let mut first = first;
-                    first[list.axis] = chunk * list.chunk as i64;
-                    let entries = (place[list.axis] + 1 - first[list.axis]).min(list.chunk as i64);
-                    note(first, Active::Entries(entries as usize));
-                }
-            }
-            None => note(
-                first,
-                match branch.levels.number(place).checked_div(sparse.grain) {
-                    Some(bit) => Active::Bits(BTreeSet::from([bit])),
-                    None => Active::Whole,
-                },
-            ),
-        }
-    }
-    blocks.into_values().collect()
-}
-
-fn is_list(sparse: &branch::Sparse, axis: usize) -> bool {
-    sparse.list.is_some_and(|list| list.axis == axis)
-}
-
-/// Calls a function with each place of a box.
-fn each(counts: Place, mut with: impl FnMut(Place)) {
-    for i in 0..counts[0] {
-        for j in 0..counts[1] {
-            for k in 0..counts[2] {
-                (0..counts[3]).for_each(|l| with([i, j, k, l]));
-            }
-        }
     }
 }
 
@@ -219,16 +135,5 @@ impl Mapped for TextMap {
 
     fn starts(&self, piece: usize) -> Vec<usize> {
         spans::starts(self, piece)
-    }
-}
-
-impl Active {
-    fn standing(&self, cell: usize, grain: usize) -> Standing {
-        let active = match self {
-            Self::Whole => true,
-            Self::Bits(bits) => bits.contains(&(cell / grain.max(1))),
-            Self::Entries(entries) => cell < *entries,
-        };
-        if active { Standing::Active } else { Standing::Inactive }
     }
 }

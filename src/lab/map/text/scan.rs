@@ -6,6 +6,9 @@ use std::str::CharIndices;
 
 use crate::lab::errors::LabError;
 
+/// The most brackets in one another.
+const DEEPEST: usize = 16;
+
 /// A text of the command line, and what it is: `record`, `layout`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Text<'a> {
@@ -25,11 +28,18 @@ impl<'a> Text<'a> {
 
     /// The tokens of the text, and one of nothing at its end.
     pub(super) fn tokens(self) -> Result<Tokens<'a>, LabError> {
-        let mut tokens = Vec::new();
+        let (mut tokens, mut depth) = (Vec::new(), 0usize);
         let mut signs = self.text.char_indices().peekable();
         while let Some((start, sign)) = signs.next() {
-            if sign.is_whitespace() {
-                continue;
+            match sign {
+                '(' | '[' | '{' => depth += 1,
+                ')' | ']' | '}' => depth = depth.saturating_sub(1),
+                sign if sign.is_whitespace() => continue,
+                _ => {}
+            }
+            if depth > DEEPEST {
+                return Err(self
+                    .error(&(start..start + 1), format!("more than {DEEPEST} brackets in one another; write fewer")));
             }
             let (end, kind) = match sign {
                 '0'..='9' => (word_end(self.text, &mut signs), Kind::Number),

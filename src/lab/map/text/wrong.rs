@@ -59,6 +59,14 @@ fn what_is_wrong_is_told_with_its_place_and_its_cure() {
             "column 1, `dense`: the blocks along axis `i` are too large together",
         ),
         ("dense(ij).dense(ij).aos", "column 11, `dense`: `dense` needs a size here; write `dense(ij, 8)`"),
+        (
+            "dense(ijk).dense(ijk, 2000000000).aos",
+            "column 1, `dense`: the blocks have more cells than a machine can address",
+        ),
+        (
+            "dense(((((((((((((((((8)))))))))))))))))",
+            "column 22, `(`: more than 16 brackets in one another; write fewer",
+        ),
         ("morton(ij).aos", "column 1, `morton`: `morton` needs a size here; write `morton(ij, 8)`"),
         ("morton(ij, 6).aos", "column 12, `6`: the sizes of `morton` are powers of two; write 4 or 8, or `dense`"),
         ("hash(ij, 4).aos", "column 10, `4`: `hash` takes no size; write `hash(ij).dense(ij, 8)`"),
@@ -176,4 +184,52 @@ fn shapes_and_activity_are_checked() {
     // A very large layout costs nothing.
     let large = TextMap::new(NODE, "Split", Some(&[1 << 30, 1 << 20]), None).unwrap();
     assert_eq!(large.spans_in(0, 1 << 40..(1 << 40) + 64).len(), 16);
+}
+
+/// Texts with mistakes of all kinds: signs left out, put in and swapped. Whatever comes of them, it is no panic.
+#[test]
+fn no_text_is_the_end_of_the_program() {
+    let records =
+        ["v: Vec2, m: f32, flag: u8", "on: bool, node: { x: DVec3, id: u16 }, spins: [i16; 3]", "f32", "[[u8; 2]; 3]"];
+    let layouts = [
+        "dense(ij).dense(ij, (4, 2)).place([flag, v], [split(m)])",
+        "Node: pointer(ij).bitmasked(ij, 4).place([v]) + dense(ij).pad(64).place([m, flag])",
+        "hash(ij).morton(ij, 8).soa",
+        "dense(i).dynamic(j, 100, chunk = 8).aos",
+        "AoSoA<16>",
+        "layout!(dense(ij, 4).aos)",
+    ];
+    let actives = ["0,0; 0,1; 2,20..23", "-3..4,8", "random:10", "disc"];
+    let mut seed = 1u64;
+    let mut below = |n: usize| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 33) as usize % n
+    };
+    let signs: Vec<char> = "()[]{}<>,:;.+=!-019 ijvaé\u{2028}".chars().collect();
+    let mut read = 0;
+    for _ in 0..20_000 {
+        let mut texts =
+            [records[below(4)], layouts[below(6)], actives[below(4)]].map(|text| text.chars().collect::<Vec<_>>());
+        for _ in 0..below(4) {
+            let text = &mut texts[below(3)];
+            let at = below(text.len().max(1));
+            match below(3) {
+                0 if !text.is_empty() => drop(text.remove(at)),
+                1 if !text.is_empty() => text[at] = signs[below(signs.len())],
+                _ => text.insert(at, signs[below(signs.len())]),
+            }
+        }
+        let [record, layout, active] = texts.map(|text| text.into_iter().collect::<String>());
+        let active = (below(2) == 0).then_some(active.as_str());
+        match TextMap::new(&record, &layout, None, active) {
+            Ok(map) => {
+                let pieces = map.pieces();
+                let lines =
+                    pieces.iter().enumerate().take(2).map(|(n, piece)| map.spans_in(n, 0..piece.bytes.min(192)).len());
+                read += usize::from(lines.sum::<usize>() > 0);
+            }
+            Err(error) => assert!(error.status() == 2 && !error.to_string().is_empty()),
+        }
+    }
+    assert!(read > 1000, "{read}");
 }
