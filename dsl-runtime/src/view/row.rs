@@ -249,9 +249,13 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
     /// Whether rows may be copied: those that lead into other blocks along the run's axis, and all where the loop's elements are some of the run's.
     const COPIED: bool = copies_rows::<S>() && matches!(Self::KIND, Kind::Blocks);
 
-    /// Whether it holds floats in whole rows of blocks.
-    const FLOATS: bool = matches!(Self::KIND, Kind::Blocks)
-        && matches!(R::Elements::MEMBERS[Self::MEMBER].kind, ScalarKind::F32 | ScalarKind::F64);
+    /// Whether it holds floats side by side in whole rows of blocks: what is computed for all of them becomes vectors.
+    const FLOATS: bool = {
+        let spec = R::Elements::MEMBERS[Self::MEMBER];
+        matches!(Self::KIND, Kind::Blocks)
+            && matches!(spec.kind, ScalarKind::F32 | ScalarKind::F64)
+            && Self::STRIDE == spec.scalar
+    };
 
     /// Whether this row is copied.
     #[inline(always)]
