@@ -19,10 +19,7 @@ impl<L: Layout<I>> CsrMatrix<L> {
     ///
     /// # Errors
     /// If an entry lies outside, or memory is refused.
-    pub fn of_entries<K>(size: usize, entries: &[entries::Entry]) -> Result<Self, EntryError>
-    where
-        L: allotrope::layout::Opens<I, K, X = I>,
-    {
+    pub fn of_entries(size: usize, entries: &[entries::Entry]) -> Result<Self, EntryError> {
         let (sorted, row_starts) = by_rows(size, entries)?;
         let memory = |fault: allotrope::ShapeError| EntryError::Memory(fault.to_string());
         let mut entries = Field::<InRow, L>::try_new([sorted.len()]).map_err(memory)?;

@@ -26,10 +26,7 @@ impl<L: Layout<Ij>> DenseMatrix<L> {
     ///
     /// # Errors
     /// If an entry lies outside, or memory is refused.
-    pub fn of_entries<K>(size: usize, entries: &[Entry]) -> Result<Self, EntryError>
-    where
-        L: allotrope::layout::Opens<Ij, K, X = Ij>,
-    {
+    pub fn of_entries(size: usize, entries: &[Entry]) -> Result<Self, EntryError> {
         let (sorted, _) = by_rows(size, entries)?;
         let mut field =
             Field::<f64, L>::try_new([size, size]).map_err(|fault| EntryError::Memory(fault.to_string()))?;
