@@ -18,18 +18,38 @@
 //! systems".
 
 pub mod connectivity;
+mod driver;
+mod gates;
 mod implicit;
 mod kernels;
+mod layouts;
 mod parameters;
 mod records;
+mod scenes;
+mod setup;
 mod stability;
 mod system;
 mod topology;
+
+use crate::SolverInfo;
 
 pub use connectivity::{Connectivity, List, Matrix, Rows};
 pub use implicit::StepMatrix;
 pub use parameters::{Attractor, Integrator, Method, Parameters};
 pub use records::{Bond, Link, Mass, Rates, Spring};
+pub use setup::SpringsSetup;
 pub use stability::largest_step;
 pub use system::{MassSpring, Refused};
 pub use topology::EditError;
+
+pub(crate) const SOLVER: SolverInfo = SolverInfo {
+    name: "springs",
+    about: "masses joined by springs, in explicit and implicit steps, in 2D and 3D",
+    dimensions: 2..=3,
+    keys: setup::KEYS,
+    read: setup::read,
+    scenes: scenes::SCENES,
+    layouts: layouts::LAYOUTS,
+    unfit: layouts::unfit,
+    build: layouts::build,
+};
