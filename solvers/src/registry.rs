@@ -19,7 +19,7 @@ pub struct SolverInfo {
     /// The keys of its scenes beside those of all scenes.
     pub keys: &'static [&'static str],
     /// Reads them.
-    pub read: fn(&Keys<'_>, &Basics<'_>) -> Result<Arc<dyn Setup>, SceneError>,
+    pub read: fn(&Keys<'_>, &Basics<'_>) -> Read,
     /// Its built-in scenes; the first is the default.
     pub scenes: &'static [SceneInfo],
     /// The layouts in which it was compiled; the first is the default.
@@ -29,6 +29,9 @@ pub struct SolverInfo {
     /// Makes the simulation of a scene in one of [`layouts`](Self::layouts).
     pub build: fn(&Scene, layout: &str) -> Built,
 }
+
+/// What a solver's scenes have beside what all scenes have, or what is wrong in it.
+pub type Read = Result<Arc<dyn Setup>, SceneError>;
 
 /// A simulation, or why its scene cannot be built.
 pub type Built = Result<Box<dyn Simulation>, SceneError>;
@@ -49,11 +52,11 @@ pub struct SceneInfo {
 /// A layout, or a combination of layouts, in which a solver was compiled.
 #[derive(Debug)]
 pub struct LayoutInfo {
-    /// The name by which it is asked for, `particles+grid`.
+    /// The name by which it is asked for; of solvers with a grid, `particles+grid`.
     pub name: &'static str,
     /// One line about it.
     pub about: &'static str,
-    /// Whether the grid's memory follows the particles, so that its domain can be as large as one likes.
+    /// Whether there is a grid whose memory follows the particles, so that its domain can be as large as one likes.
     pub sparse: bool,
 }
 

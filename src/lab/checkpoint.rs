@@ -62,7 +62,7 @@ pub struct Planned {
     pub checkpoint_every: Option<u64>,
     /// What the colours of particles tell, where it was said.
     pub shading: Option<String>,
-    /// How the grid is accumulated.
+    /// How loops accumulate.
     pub schedule: String,
     /// Threads, where so many were asked for.
     pub threads: Option<usize>,

@@ -30,8 +30,7 @@ pub fn check(files: &[PathBuf]) -> Result<(), LabError> {
 /// A line about a scene.
 fn about(file: &Path) -> Result<String, LabError> {
     let scene = Scene::load(file)?;
-    let solver = allotrope_solvers::solver(&scene.solver)
-        .map_err(|fault| LabError::usage(format!("scene `{}`: `solver` is wrong: {fault}", scene.file)))?;
+    let solver = allotrope_solvers::solver(&scene.solver).map_err(LabError::usage)?;
     let names = solver.layouts.iter().map(|layout| layout.name);
     let (fit, unfit): (Vec<_>, Vec<_>) = names.partition(|layout| (solver.unfit)(&scene, layout).is_none());
     let Some(first) = fit.first() else {

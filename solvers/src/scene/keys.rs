@@ -25,6 +25,11 @@ impl<'a> Keys<'a> {
         }
     }
 
+    /// The name of the scene's file in messages.
+    pub(super) fn file_name(&self) -> &'a str {
+        self.file
+    }
+
     fn unknown(&self, key: &str, known: &[&str]) -> SceneError {
         let message = format!("is not a key of a scene{}", hint(key, known.iter().copied()));
         SceneError::at(self.file, format!("{}{key}", self.prefix), message)

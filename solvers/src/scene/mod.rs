@@ -247,7 +247,7 @@ impl Scene {
 
 fn read_solver(keys: &Keys<'_>) -> Result<&'static SolverInfo, SceneError> {
     let name = keys.required_text("solver", "\"mpm\"")?;
-    registry::solver(name).map_err(|fault| keys.fault("solver", format!("is wrong: {fault}")))
+    registry::solver(name).map_err(|fault| SceneError::at(keys.file_name(), "solver", format!("is wrong: {fault}")))
 }
 
 fn read_dimensions(keys: &Keys<'_>, info: &SolverInfo) -> Result<usize, SceneError> {

@@ -65,3 +65,32 @@ pub(super) fn text(report: &Report, about: &About) -> String {
 fn error_digits(value: f64) -> String {
     if value == 0.0 { "0".into() } else { format!("{value:.1e}") }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lab::bench::{Kernels, Row};
+
+    fn report(grid: Vec<usize>) -> Report {
+        let row = Row {
+            layout: "flat".into(),
+            schedule: "auto".into(),
+            ms_per_step: 0.5,
+            spread: 0.01,
+            kernels: Kernels(vec![("forces".into(), 0.3), ("update".into(), 0.1)]),
+            bytes: 1 << 20,
+            state_error: 0.0,
+        };
+        let isa = "baseline".into();
+        Report { solver: "net".into(), scene: "cloth".into(), particles: 1000, grid, threads: 1, isa, rows: vec![row] }
+    }
+
+    #[test]
+    fn nodes_are_told_where_there_is_a_grid() {
+        let about = About { verified: 10, agreement: 0.0, repetitions: 2, steps: 20, time: 0.1 };
+        let first = |grid| text(&report(grid), &about).lines().next().unwrap_or_default().to_string();
+        assert_eq!(first(vec![]), "net cloth: 1000 particles");
+        assert_eq!(first(vec![8, 4]), "net cloth: 1000 particles, 8 x 4 nodes");
+        assert!(text(&report(vec![]), &about).contains("75 %    25 %"), "shares of kernels");
+    }
+}

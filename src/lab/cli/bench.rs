@@ -20,7 +20,7 @@ pub struct BenchArguments {
     /// The layouts, with commas between them, or `all` that fit the scene
     #[arg(long, value_name = "A,B", default_value = "all")]
     layouts: String,
-    /// How the grid is accumulated, with commas between: auto, serial, private, colored, atomic
+    /// How loops accumulate, with commas between: auto, serial, private, colored, atomic
     #[arg(long, value_name = "A,B", default_value = "auto")]
     schedules: String,
     /// Writes the results to a file too, as one line of JSON

@@ -47,10 +47,10 @@ pub struct RunArguments {
     solver: Option<String>,
     #[command(flatten)]
     what: SceneArguments,
-    /// The layout, particles+grid [default: the first that fits the scene]
+    /// The layout; of solvers with a grid, particles+grid [default: the first that fits the scene]
     #[arg(long, value_name = "L")]
     layout: Option<String>,
-    /// How the grid is accumulated: auto, serial, private, colored or atomic [default: auto]
+    /// How loops accumulate: auto, serial, private, colored or atomic [default: auto]
     #[arg(long, value_name = "S")]
     schedule: Option<String>,
     /// The same bits for any number of threads, at some cost

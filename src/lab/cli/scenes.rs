@@ -58,7 +58,7 @@ impl SceneArguments {
         if scene.solver == solver.name {
             return self.sized(scene);
         }
-        let of = solver_of(&scene)?.name;
+        let of = scene.solver;
         Err(LabError::usage(format!("scene `{name}` is for the solver `{of}`, not `{}`", solver.name)))
     }
 
@@ -79,12 +79,6 @@ impl SceneArguments {
         }
         Ok(scene)
     }
-}
-
-/// The solver of a scene.
-pub(super) fn solver_of(scene: &Scene) -> Result<&'static SolverInfo, LabError> {
-    allotrope_solvers::solver(&scene.solver)
-        .map_err(|fault| LabError::usage(format!("scene `{}`: `solver` is wrong: {fault}", scene.file)))
 }
 
 /// Whether a name is that of a file: with a dot or a separator in it, or there.
@@ -145,10 +139,8 @@ pub(super) fn fit(solver: &'static SolverInfo, scene: &Scene) -> Vec<&'static st
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use allotrope_solvers::scene::{Basics, Keys};
-    use allotrope_solvers::{Built, LayoutInfo, SceneError, Setup};
+    use allotrope_solvers::{Built, LayoutInfo, Read, SceneError};
 
     use super::*;
 
@@ -156,7 +148,7 @@ mod tests {
         Err(SceneError::new(&*scene.file, "is not built here"))
     }
 
-    fn no_setup(_keys: &Keys<'_>, _basics: &Basics<'_>) -> Result<Arc<dyn Setup>, SceneError> {
+    fn no_setup(_keys: &Keys<'_>, _basics: &Basics<'_>) -> Read {
         Err(SceneError::new("none", "is not read here"))
     }
 

@@ -5,22 +5,30 @@ use allotrope_solvers::Simulation;
 
 use crate::lab::errors::LabError;
 
-/// The lines before the data: a comment, the number of points, and the properties of each by type and name.
-fn header(comment: &str, count: usize, properties: &[(&str, &str)]) -> Vec<u8> {
+/// The lines before the data: a comment, the number of points, the properties of each by type and name, and the number of
+/// edges, if there are any.
+fn header(comment: &str, count: usize, properties: &[(&str, &str)], edges: usize) -> Vec<u8> {
     let properties: String = properties.iter().map(|(kind, name)| format!("property {kind} {name}\n")).collect();
-    format!("ply\nformat binary_little_endian 1.0\ncomment {comment}\nelement vertex {count}\n{properties}end_header\n")
-        .into_bytes()
+    let edges = match edges {
+        0 => String::new(),
+        edges => format!("element edge {edges}\nproperty int vertex1\nproperty int vertex2\n"),
+    };
+    let head = format!("ply\nformat binary_little_endian 1.0\ncomment {comment}\n");
+    format!("{head}element vertex {count}\n{properties}{edges}end_header\n").into_bytes()
 }
 
 /// The particles in the order in which they were given: `x y z` in metres (in 2D `z` is zero), `vx vy vz` in m/s,
-/// `pressure` in Pa where they have one, `material`.
+/// `pressure` in Pa where they have one, `material`; then what
+/// joins them, if anything does, as edges from `vertex1` to `vertex2`.
 pub fn particles(simulation: &dyn Simulation) -> Vec<u8> {
     let count = simulation.particles();
     let pressures = simulation.pressures();
     let floats = ["x", "y", "z", "vx", "vy", "vz", "pressure"].map(|name| ("float", name));
     let floats = if pressures.is_empty() { &floats[..6] } else { &floats[..] };
     let properties = [floats, &[("uint", "material")]].concat();
-    let mut bytes = header(&format!("step {}, time {} s", simulation.steps(), simulation.time()), count, &properties);
+    let links = simulation.links();
+    let comment = format!("step {}, time {} s", simulation.steps(), simulation.time());
+    let mut bytes = header(&comment, count, &properties, links.len());
     bytes.reserve(4 * properties.len() * count);
     let motion = simulation.positions().into_iter().zip(simulation.velocities());
     for (n, ((x, v), material)) in motion.zip(simulation.material_of()).enumerate() {
@@ -29,6 +37,7 @@ pub fn particles(simulation: &dyn Simulation) -> Vec<u8> {
         }
         bytes.extend_from_slice(&material.to_le_bytes());
     }
+    bytes.extend(links.into_iter().flatten().flat_map(u32::to_le_bytes));
     bytes
 }
 
@@ -60,7 +69,7 @@ pub fn points(comment: &str, positions: &[[f32; 3]], values: &[(&str, &[f32])]) 
     }
     // A line of its own: whatever follows a break would be read as the header's next line.
     let comment = comment.split_whitespace().collect::<Vec<_>>().join(" ");
-    let mut bytes = header(&comment, positions.len(), &properties);
+    let mut bytes = header(&comment, positions.len(), &properties, 0);
     for (n, position) in positions.iter().enumerate() {
         for value in position.iter().copied().chain(values.iter().map(|(_, values)| values[n])) {
             bytes.extend_from_slice(&value.to_le_bytes());

@@ -4,23 +4,30 @@
 
 use allotrope_solvers::{Array, Simulation, Values};
 
-/// The particles in the order in which they were given, as points (`.vtp`), each a vertex: `position` is the points
-/// themselves, all other arrays of the particles are data of points. Vectors of a plane have a third component of zero.
+/// The particles in the order in which they were given, as points (`.vtp`), each a vertex, and lines between those that are
+/// joined: `position` is the points themselves, all other arrays of the particles are data of points. Vectors of a plane
+/// have a third component of zero, and so have the points of a line a second one.
 pub fn particles(simulation: &dyn Simulation) -> Vec<u8> {
     let count = simulation.particles();
     let arrays = simulation.particle_arrays();
-    let (points, others): (Vec<_>, Vec<_>) = arrays.iter().partition(|array| array.name == "position");
+    let (points, others): (Vec<_>, Vec<_>) =
+        arrays.into_iter().map(in_space).partition(|array| array.name == "position");
     let mut file = File::default();
-    let points: String = points.into_iter().map(|array| file.array(array, |n| n)).collect();
-    let data: String = others.into_iter().map(|array| file.array(array, |n| n)).collect();
-    let connectivity = file.element("Int32", "connectivity", 1, (0..count as u32).flat_map(u32::to_le_bytes));
-    let offsets = file.element("Int32", "offsets", 1, (1..=count as u32).flat_map(u32::to_le_bytes));
+    let points: String = points.iter().map(|array| file.array(array, |n| n)).collect();
+    let data: String = others.iter().map(|array| file.array(array, |n| n)).collect();
+    let vertices = file.cells((0..count as u32).map(|n| [n]));
+    let links = simulation.links();
+    let number = links.len();
+    let lines = match number {
+        0 => String::new(),
+        _ => format!("<Lines>\n{}</Lines>\n", file.cells(links.into_iter())),
+    };
     file.finish(
         "PolyData",
         &format!(
-            "<PolyData>\n{}<Piece NumberOfPoints=\"{count}\" NumberOfVerts=\"{count}\" NumberOfLines=\"0\" \
+            "<PolyData>\n{}<Piece NumberOfPoints=\"{count}\" NumberOfVerts=\"{count}\" NumberOfLines=\"{number}\" \
              NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<PointData>\n{data}</PointData>\n<Points>\n{points}</Points>\n\
-             <Verts>\n{connectivity}{offsets}</Verts>\n</Piece>\n</PolyData>\n",
+             <Verts>\n{vertices}</Verts>\n{lines}</Piece>\n</PolyData>\n",
             time(simulation)
         ),
     )
@@ -67,6 +74,19 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
+/// Positions on a line with a second component of zero.
+fn in_space(mut array: Array) -> Array {
+    if array.name == "position" && array.components == 1 {
+        array.components = 2;
+        array.values = match array.values {
+            Values::F32(values) => Values::F32(values.into_iter().flat_map(|x| [x, 0.0]).collect()),
+            Values::F64(values) => Values::F64(values.into_iter().flat_map(|x| [x, 0.0]).collect()),
+            Values::U32(values) => Values::U32(values.into_iter().flat_map(|x| [x, 0]).collect()),
+        };
+    }
+    array
+}
+
 /// The simulated seconds, as ParaView finds them in a single file.
 fn time(simulation: &dyn Simulation) -> String {
     format!(
@@ -107,6 +127,13 @@ impl File {
             element.iter().flat_map(move |&value| bytes(value)).chain(padding.iter().copied())
         });
         self.element(kind, array.name, if components == 2 { 3 } else { components }, elements)
+    }
+
+    /// Appends cells of as many points each.
+    fn cells<const N: usize>(&mut self, cells: impl ExactSizeIterator<Item = [u32; N]>) -> String {
+        let offsets = (1..=cells.len() as u32).flat_map(|n| (n * N as u32).to_le_bytes());
+        let connectivity = self.element("Int32", "connectivity", 1, cells.flatten().flat_map(u32::to_le_bytes));
+        connectivity + &self.element("Int32", "offsets", 1, offsets)
     }
 
     /// Appends bytes, and gives the XML element that tells where they are.

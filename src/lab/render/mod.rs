@@ -1,4 +1,4 @@
-//! Pictures of particles, and of what stands between them.
+//! Pictures of particles, of what joins them, and of what stands between them.
 
 mod canvas;
 mod collider;
@@ -8,6 +8,7 @@ mod plane;
 mod shading;
 mod solid;
 mod space;
+mod wires;
 
 use allotrope_solvers::scene::{CameraPlace, Collider};
 use allotrope_solvers::{Scene, Simulation};
@@ -62,7 +63,7 @@ impl Camera {
     /// The picture of the simulation's present state.
     pub fn picture(&self, simulation: &dyn Simulation) -> Picture {
         let canvas =
-            if simulation.dimensions() == 2 { plane::draw(self, simulation) } else { space::draw(self, simulation) };
+            if simulation.dimensions() == 3 { space::draw(self, simulation) } else { plane::draw(self, simulation) };
         Picture::of(&canvas)
     }
 

@@ -1,17 +1,23 @@
-//! Pictures of a plane: particles as soft splats that flow together, each in its colour.
+//! Pictures of a plane: particles as soft splats that flow together, each in its colour; particles that are joined as dots
+//! with lines between them. A line, which has no height, lies in the middle of a strip.
 
 use allotrope_solvers::Simulation;
 
 use super::canvas::Canvas;
 use super::collider;
 use super::colour::{Colour, NIGHT};
-use super::{Camera, SIDE};
+use super::{Camera, SIDE, wires};
 
 /// Standard deviation of a splat, in distances between particles at rest.
 const WIDTH: f64 = 0.8;
 
+/// The height of a strip over its length.
+const STRIP: f64 = 0.125;
+
 pub(super) fn draw(camera: &Camera, simulation: &dyn Simulation) -> Canvas {
     let [width, height, _] = simulation.extent();
+    let (height, lift) =
+        if simulation.dimensions() == 1 { (STRIP * width, 0.5 * STRIP * width) } else { (height, 0.0) };
     let scale = SIDE as f64 / width.max(height);
     let (columns, rows) = (((width * scale).round() as usize).max(1), ((height * scale).round() as usize).max(1));
     let spacing = simulation.spacing() * scale;
@@ -23,8 +29,10 @@ pub(super) fn draw(camera: &Camera, simulation: &dyn Simulation) -> Canvas {
     let mut density = vec![0f32; columns * rows];
     let mut coloured = vec![Colour::default(); columns * rows];
     let unit = spacing * spacing / (2.0 * std::f64::consts::PI * deviation * deviation);
-    for (x, colour) in simulation.positions().iter().zip(camera.colours(simulation)) {
-        let (column, row) = (x[0] * scale - 0.5, rows as f64 - 0.5 - x[1] * scale);
+    let place = |x: [f64; 3]| [x[0] * scale - 0.5, rows as f64 - 0.5 - (x[1] + lift) * scale];
+    let (dots, lines) = wires::dots_and_lines(simulation, camera.colours(simulation), place);
+    let splats = if lines.is_empty() { &dots[..] } else { &[] };
+    for &wires::Dot { at: [column, row], colour } in splats {
         for r in (row.round() as i64 - reach).max(0)..=(row.round() as i64 + reach).min(rows as i64 - 1) {
             for c in (column.round() as i64 - reach).max(0)..=(column.round() as i64 + reach).min(columns as i64 - 1) {
                 let square = (c as f64 - column).powi(2) + (r as f64 - row).powi(2);
@@ -41,7 +49,7 @@ pub(super) fn draw(camera: &Camera, simulation: &dyn Simulation) -> Canvas {
     let (tank, border) = (Colour::hex(0x141b2d), Colour::hex(0x33415f));
     let wall = simulation.margin() * scale;
     let cover = |column: usize, row: usize| 1.0 - (-2.2 * density[row * columns + column]).exp();
-    Canvas::of(columns, rows, |column, row| {
+    let mut canvas = Canvas::of(columns, rows, |column, row| {
         // Distance into the tank; its wall is drawn two pixels wide.
         let inward =
             [column, columns - 1 - column, row, rows - 1 - row].into_iter().min().unwrap_or(0) as f64 + 0.5 - wall;
@@ -58,7 +66,7 @@ pub(super) fn draw(camera: &Camera, simulation: &dyn Simulation) -> Canvas {
             if inward < 0.0 {
                 return colour;
             }
-            let x = [(column as f64 + 0.5) / scale, (rows as f64 - row as f64 - 0.5) / scale, 0.0];
+            let x = [(column as f64 + 0.5) / scale, (rows as f64 - row as f64 - 0.5) / scale - lift, 0.0];
             colliders.iter().fold(colour, |colour, shape| {
                 let (grey, share) = collider::flat(shape.distance(x) * scale);
                 colour.mix(grey, share)
@@ -73,5 +81,9 @@ pub(super) fn draw(camera: &Camera, simulation: &dyn Simulation) -> Canvas {
         let light = 1.0 + 0.5 * (right - left + below - above).clamp(-1.0, 1.0);
         let fluid = coloured[here] * (1.0 / density[here]);
         solid(back.mix(fluid * light, cover(column, row)))
-    })
+    });
+    if !lines.is_empty() {
+        wires::draw(&mut canvas, &dots, &lines, spacing);
+    }
+    canvas
 }

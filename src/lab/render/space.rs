@@ -1,4 +1,5 @@
-//! Pictures of space: particles as balls in a perspective view, their depths smoothed into a surface, which is lit.
+//! Pictures of space: particles as balls in a perspective view, their depths smoothed into a surface, which is lit;
+//! particles that are joined as small balls with rods between them.
 
 use std::sync::LazyLock;
 
@@ -10,6 +11,7 @@ use super::canvas::{Canvas, for_pieces};
 use super::collider::{self, Placed};
 use super::colour::{Colour, NIGHT};
 use super::solid::{self, Solid, Vec3, cross, dot, minus, plus, unit};
+use super::wires::{self, Dot};
 use super::{Camera, SIDE};
 
 /// Radius of a ball, in distances between particles at rest: neighbours overlap.
@@ -30,10 +32,22 @@ pub(super) fn draw(camera: &Camera, simulation: &dyn Simulation) -> Canvas {
     let radius = RADIUS * simulation.spacing();
 
     let mut surface = Surface::new(&view);
-    for (x, colour) in positions.iter().zip(camera.colours(simulation)) {
-        surface.splat(&view, *x, radius, colour);
+    let (dots, rods) = wires::dots_and_lines(simulation, camera.colours(simulation), |x| x);
+    if rods.is_empty() {
+        for dot in &dots {
+            surface.splat(&view, dot.at, radius, dot.colour);
+        }
+        surface.smooth(&view, radius);
+    } else {
+        // Masses far apart are no larger for it.
+        let spacing = simulation.spacing().min(0.1 * simulation.extent().into_iter().fold(0.0, f64::max));
+        for ends in &rods {
+            surface.rod(&view, ends, wires::LINE * spacing);
+        }
+        for dot in &dots {
+            surface.splat(&view, dot.at, view.visible(dot.at, wires::DOT * spacing), dot.colour);
+        }
     }
-    surface.smooth(&view, radius);
     let colliders = collider::at(&camera.colliders, simulation.time());
     let solid = Solid::new(&view, &colliders);
 
@@ -109,6 +123,12 @@ impl View {
         (0.5 * self.columns as f64 + x * self.focus, 0.5 * self.rows as f64 - y * self.focus, depth)
     }
 
+    /// A radius at a place, or what is seen as a dot there, if that is more.
+    fn visible(&self, x: Vec3, radius: f64) -> f64 {
+        const LEAST: f64 = 1.3;
+        radius.max(LEAST * self.turned(x).2 / self.focus)
+    }
+
     /// The direction in which a pixel looks, one long along the view.
     pub(super) fn ray(&self, column: f64, row: f64) -> Vec3 {
         let (x, y) = ((column - 0.5 * self.columns as f64) / self.focus, (0.5 * self.rows as f64 - row) / self.focus);
@@ -163,6 +183,20 @@ impl Surface {
                     }
                 }
             }
+        }
+    }
+
+    /// A rod, as balls that lie less than half a pixel apart.
+    fn rod(&mut self, view: &View, ends: &[Dot<Vec3>; 2], radius: f64) {
+        let [from, to] = ends.map(|end| end.at);
+        let (a, b) = (view.project(from), view.project(to));
+        if a.2 <= 0.0 || b.2 <= 0.0 {
+            return;
+        }
+        let steps = (2.0 * (a.0 - b.0).hypot(a.1 - b.1)).ceil().clamp(1.0, (4 * view.columns) as f64) as usize;
+        for n in 0..=steps {
+            let x = plus(from, minus(to, from), n as f64 / steps as f64);
+            self.splat(view, x, view.visible(x, radius), wires::between(ends));
         }
     }
 

@@ -118,8 +118,9 @@ mod tests {
 
     use super::*;
 
-    /// Looks at the mass and the height of a fluid.
+    /// Looks at the mass of a fluid.
     struct Fall {
+        until: Option<f64>,
         looks: Vec<u64>,
         mass: f64,
         bound: f64,
@@ -128,6 +129,10 @@ mod tests {
     impl Watch for Fall {
         fn steps(&self) -> u64 {
             5
+        }
+
+        fn until(&self) -> Option<f64> {
+            self.until
         }
 
         fn every(&self) -> u64 {
@@ -151,25 +156,38 @@ mod tests {
         }
     }
 
-    fn outcome(bound: f64) -> (Vec<u64>, Result<(), LabError>) {
+    fn outcome(bound: f64, until: Option<f64>) -> (Vec<u64>, Result<(), LabError>) {
         let solver = allotrope_solvers::solver("mpm").unwrap();
         let mut simulation = (solver.build)(&solver.scene("mpm88").unwrap(), "aos+row").unwrap();
-        let mut watch = Fall { looks: Vec::new(), mass: 0.0, bound };
+        let mut watch = Fall { until, looks: Vec::new(), mass: 0.0, bound };
         let done = check(&mut *simulation, &mut watch, Schedule::default(), Progress::None, true);
         (watch.looks, done)
     }
 
     #[test]
     fn a_check_looks_at_the_start_now_and_then_and_at_the_end() {
-        let (looks, done) = outcome(0.2);
+        let (looks, done) = outcome(0.2, None);
         assert_eq!(looks, [0, 2, 4, 5]);
         done.unwrap();
     }
 
     #[test]
     fn a_failed_check_is_a_failure() {
-        let error = outcome(0.1).1.unwrap_err();
+        let error = outcome(0.1, None).1.unwrap_err();
         let wanted = "1 of 1 checks failed; the first: mass in kg is 0.125, where 0 to 0.1 passes";
+        assert_eq!((error.status(), error.to_string().as_str()), (1, wanted));
+    }
+
+    #[test]
+    fn a_check_may_end_by_simulated_time() {
+        // Steps take 0.2 ms.
+        let (looks, done) = outcome(0.2, Some(5e-4));
+        assert_eq!(looks, [0, 2, 3]);
+        done.unwrap();
+        let (looks, done) = outcome(0.2, Some(0.01));
+        assert_eq!(looks, [0, 2, 4, 5]);
+        let error = done.unwrap_err();
+        let wanted = "the check ends after 0.01 s, and 5 steps came to 0.001 s";
         assert_eq!((error.status(), error.to_string().as_str()), (1, wanted));
     }
 
@@ -202,7 +220,7 @@ mod tests {
     #[test]
     fn a_scene_without_a_check_says_so() {
         fn fall(_scene: &Scene) -> Result<Box<dyn Watch>, SceneError> {
-            Ok(Box::new(Fall { looks: Vec::new(), mass: 0.0, bound: 1.0 }))
+            Ok(Box::new(Fall { until: None, looks: Vec::new(), mass: 0.0, bound: 1.0 }))
         }
         const fn scene(name: &'static str, gate: Option<Gate>) -> SceneInfo {
             SceneInfo { name, about: "", text: "", gate }

@@ -35,7 +35,7 @@ pub struct Plan {
     pub scene_folder: Option<PathBuf>,
     /// One of the solver's layouts.
     pub layout: &'static str,
-    /// How the grid is accumulated.
+    /// How loops accumulate.
     pub schedule: NamedSchedule,
     /// Threads, if so many are asked for.
     pub threads: Option<usize>,

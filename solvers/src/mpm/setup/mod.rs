@@ -11,11 +11,11 @@ pub use material::Material;
 pub use transfer::{Forces, Scheme, Spline, Transfer};
 
 use super::materials::Model;
-use crate::SceneError;
 use crate::scene::{
     Basics, Body, Collider, Fill, Keys, MOST_PARTICLES, Particles, Reorder, Scene, Setup, Shape, Substance, WALLS,
     Walls, available_memory, fill, place, read_walls,
 };
+use crate::{Read, SceneError};
 
 /// Axes of more nodes are refused.
 const LONGEST: i64 = 1 << 15;
@@ -55,7 +55,7 @@ pub(super) const KEYS: &[&str] =
     &["grid", "sparse", "length", "spacing", "wall", "reorder", "material", "transfer", "walls", "body", "collider"];
 
 /// Reads this solver's part of a scene.
-pub(super) fn read(keys: &Keys<'_>, basics: &Basics<'_>) -> Result<Arc<dyn Setup>, SceneError> {
+pub(super) fn read(keys: &Keys<'_>, basics: &Basics<'_>) -> Read {
     let &Basics { dimensions, seed, folder, .. } = basics;
     let transfer = keys.table("transfer", transfer::KEYS)?;
     let transfer = transfer.map(|keys| Transfer::read(&keys, dimensions)).transpose()?.unwrap_or_default();
