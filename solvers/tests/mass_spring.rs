@@ -8,6 +8,8 @@ mod layouts;
 mod matrix;
 #[path = "mass_spring/oscillator.rs"]
 mod oscillator;
+#[path = "mass_spring/scenes.rs"]
+mod scenes;
 #[path = "mass_spring/stability.rs"]
 mod stability;
 #[path = "mass_spring/surroundings.rs"]

@@ -56,7 +56,9 @@ layout_pairs! {
 
 /// Why a scene makes no sense in a layout, if it does not.
 pub(super) fn unfit(scene: &Scene, layout: &str) -> Option<&'static str> {
-    let masses = scene.setup::<SpringsSetup>().map_or(0, |setup| setup.masses.len());
-    (masses > most_masses(layout))
+    let Ok(SpringsSetup { masses, .. }) = scene.setup() else {
+        return Some("it is a scene of another solver");
+    };
+    (masses.len() > most_masses(layout))
         .then_some("too large: a dense table of all pairs is for at most 2048 masses; take `aos+list`")
 }
