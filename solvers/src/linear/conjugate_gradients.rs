@@ -3,7 +3,7 @@
 use allotrope::prelude::*;
 
 use super::jacobi::{inverse_diagonal, start};
-use super::operator::{Operator, Quotient, Vector};
+use super::operator::{Operator, Vector};
 use super::report::{Failure, Report, SolveError, Stop};
 use super::vectors;
 
@@ -79,7 +79,8 @@ impl Solve {
         self.report.residuals.push(square.sqrt());
         p.fill(A::Value::default());
         let mut weight = inverse.map_or(square, |inverse| vectors::dot_scaled(&r, inverse));
-        let mut beta = 0.0;
+        // `p . p` (with a preconditioner `p . D p`), which needs no sum: a residual is orthogonal to all former directions.
+        let (mut beta, mut size) = (0.0, 0.0);
         loop {
             let norm = square.sqrt();
             if norm <= bound {
@@ -91,15 +92,16 @@ impl Solve {
             if self.report.iterations == stop.most {
                 return Err(Failure::Limit(stop.most));
             }
-            let quotient = match inverse {
+            let curvature = match inverse {
                 None => a.turn(&r, &mut p, &mut spare, beta),
                 Some(inverse) => {
                     vectors::conjugate_scaled(&r, inverse, &mut p, beta);
                     a.apply(&p, &mut spare)
                 }
             };
-            self.check(quotient)?;
-            let alpha = weight / quotient.curvature;
+            size = weight + beta * beta * size;
+            self.check(curvature / size)?;
+            let alpha = weight / curvature;
             // The default halves: a preconditioned iteration has its own first half, whose product lies in `spare`.
             square = match inverse {
                 None => a.descend(x, &mut r, &p, &spare, alpha),
@@ -112,8 +114,7 @@ impl Solve {
         }
     }
 
-    fn check(&mut self, Quotient { square, curvature }: Quotient) -> Result<(), Failure> {
-        let quotient = curvature / square;
+    fn check(&mut self, quotient: f64) -> Result<(), Failure> {
         if !quotient.is_finite() {
             return Err(Failure::NotFinite("a product with the matrix"));
         }

@@ -3,7 +3,7 @@
 use allotrope::prelude::*;
 
 use super::entries::{self, EntryError, by_rows};
-use super::operator::{Operator, Quotient, Vector};
+use super::operator::{Operator, Vector};
 use super::rows::InRow;
 
 /// A matrix as its entries that are not zero, row by row, and where each row starts: compressed sparse rows. `L` is the
@@ -37,9 +37,8 @@ impl<L: Layout<I>> Operator for CsrMatrix<L> {
     type Axes = I;
     type Layout = Aos;
 
-    fn apply(&self, x: &Vector<Self>, y: &mut Vector<Self>) -> Quotient {
-        let (square, curvature) = apply(&self.entries, &self.starts, x, y);
-        Quotient { square, curvature }
+    fn apply(&self, x: &Vector<Self>, y: &mut Vector<Self>) -> f64 {
+        apply(&self.entries, &self.starts, x, y)
     }
 
     fn diagonal(&self, diagonal: &mut Vector<Self>) {
@@ -47,20 +46,19 @@ impl<L: Layout<I>> Operator for CsrMatrix<L> {
     }
 }
 
-/// `y <- A x`; returns `x . x` and `x . A x`.
+/// `y <- A x`; returns `x . A x`.
 #[kernel]
-fn apply(entries: &Field<InRow, _>, starts: &Field<u32, _>, x: &Field<f64, _>, y: &mut Field<f64, _>) -> (f64, f64) {
-    let (mut square, mut curvature) = (0.0, 0.0);
+fn apply(entries: &Field<InRow, _>, starts: &Field<u32, _>, x: &Field<f64, _>, y: &mut Field<f64, _>) -> f64 {
+    let mut curvature = 0.0;
     for i in y {
         let mut product = 0.0;
         for e in starts[i]..starts[i + 1] {
             product += entries.value[e] * x[entries.column[e]];
         }
         y[i] = product;
-        square += x[i] * x[i];
         curvature += x[i] * product;
     }
-    (square, curvature)
+    curvature
 }
 
 #[kernel]

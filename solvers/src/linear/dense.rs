@@ -3,7 +3,7 @@
 use allotrope::prelude::*;
 
 use super::entries::{Entry, EntryError, by_rows};
-use super::operator::{Operator, Quotient, Vector};
+use super::operator::{Operator, Vector};
 
 /// A matrix with all its entries, in the layout `L`.
 #[derive(Clone, Debug)]
@@ -45,9 +45,8 @@ impl<L: Layout<Ij>> Operator for DenseMatrix<L> {
     type Axes = I;
     type Layout = Aos;
 
-    fn apply(&self, x: &Vector<Self>, y: &mut Vector<Self>) -> Quotient {
-        let (square, curvature) = apply(&self.entries, x, y);
-        Quotient { square, curvature }
+    fn apply(&self, x: &Vector<Self>, y: &mut Vector<Self>) -> f64 {
+        apply(&self.entries, x, y)
     }
 
     fn diagonal(&self, diagonal: &mut Vector<Self>) {
@@ -55,10 +54,10 @@ impl<L: Layout<Ij>> Operator for DenseMatrix<L> {
     }
 }
 
-/// `y <- A x`; returns `x . x` and `x . A x`.
+/// `y <- A x`; returns `x . A x`.
 #[kernel]
-fn apply(a: &Field<f64, _, Ij>, x: &Field<f64, _>, y: &mut Field<f64, _>) -> (f64, f64) {
-    let (mut square, mut curvature) = (0.0, 0.0);
+fn apply(a: &Field<f64, _, Ij>, x: &Field<f64, _>, y: &mut Field<f64, _>) -> f64 {
+    let mut curvature = 0.0;
     let columns = x.len() as i32;
     for i in y {
         let mut product = 0.0;
@@ -66,10 +65,9 @@ fn apply(a: &Field<f64, _, Ij>, x: &Field<f64, _>, y: &mut Field<f64, _>) -> (f6
             product += a[(i, j)] * x[j];
         }
         y[i] = product;
-        square += x[i] * x[i];
         curvature += x[i] * product;
     }
-    (square, curvature)
+    curvature
 }
 
 #[kernel]

@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 
 use allotrope::prelude::*;
 
-use super::operator::{Operator, Quotient, Vector};
+use super::operator::{Operator, Vector};
 
 /// The 5-point Laplacian `4 u - (sum of the four neighbours)` at the interior nodes of a rectangle, with zeros around
 /// them (minus the Laplace operator times `h^2`, where nodes are `h` apart), over vectors in the layout `L`.
@@ -26,9 +26,8 @@ impl<L: Layout<Ij>> Operator for Laplacian<L> {
     type Axes = Ij;
     type Layout = L;
 
-    fn apply(&self, x: &Vector<Self>, y: &mut Vector<Self>) -> Quotient {
-        let (square, curvature) = apply(x, y);
-        Quotient { square, curvature }
+    fn apply(&self, x: &Vector<Self>, y: &mut Vector<Self>) -> f64 {
+        apply(x, y)
     }
 
     fn diagonal(&self, diagonal: &mut Vector<Self>) {
@@ -36,10 +35,10 @@ impl<L: Layout<Ij>> Operator for Laplacian<L> {
     }
 
     /// The new direction lies beside the old one, whose neighbours are still read; then they change places.
-    fn turn(&self, r: &Vector<Self>, p: &mut Vector<Self>, spare: &mut Vector<Self>, beta: f64) -> Quotient {
-        let (square, curvature) = turn(r, p, spare, beta);
+    fn turn(&self, r: &Vector<Self>, p: &mut Vector<Self>, spare: &mut Vector<Self>, beta: f64) -> f64 {
+        let curvature = turn(r, p, spare, beta);
         std::mem::swap(p, spare);
-        Quotient { square, curvature }
+        curvature
     }
 
     fn descend(
@@ -54,15 +53,14 @@ impl<L: Layout<Ij>> Operator for Laplacian<L> {
     }
 }
 
-/// `y <- A x`; returns `x . x` and `x . A x`.
+/// `y <- A x`; returns `x . A x`.
 #[kernel]
-fn apply(x: &Field<f64, _, Ij>, y: &mut Field<f64, _, Ij>) -> (f64, f64) {
-    let (mut square, mut curvature) = (0.0, 0.0);
+fn apply(x: &Field<f64, _, Ij>, y: &mut Field<f64, _, Ij>) -> f64 {
+    let mut curvature = 0.0;
     for (i, j) in y.interior(1) {
         let own = x[(i, j)];
         let product = 4.0 * own - (x[(i - 1, j)] + x[(i + 1, j)] + x[(i, j - 1)] + x[(i, j + 1)]);
         y[(i, j)] = product;
-        square += own * own;
         curvature += own * product;
     }
     for (i, j) in y.border(1) {
@@ -70,22 +68,20 @@ fn apply(x: &Field<f64, _, Ij>, y: &mut Field<f64, _, Ij>) -> (f64, f64) {
         let around = x.or((i - 1, j), 0.0) + x.or((i + 1, j), 0.0) + x.or((i, j - 1), 0.0) + x.or((i, j + 1), 0.0);
         let product = 4.0 * own - around;
         y[(i, j)] = product;
-        square += own * own;
         curvature += own * product;
     }
-    (square, curvature)
+    curvature
 }
 
-/// `p <- r + beta old`; returns `p . p` and `p . A p`.
+/// `p <- r + beta old`; returns `p . A p`.
 #[kernel]
-fn turn(r: &Field<f64, _, Ij>, old: &Field<f64, _, Ij>, p: &mut Field<f64, _, Ij>, beta: f64) -> (f64, f64) {
-    let (mut square, mut curvature) = (0.0, 0.0);
+fn turn(r: &Field<f64, _, Ij>, old: &Field<f64, _, Ij>, p: &mut Field<f64, _, Ij>, beta: f64) -> f64 {
+    let mut curvature = 0.0;
     for (i, j) in p.interior(1) {
         let own = r[(i, j)] + beta * old[(i, j)];
         let residuals = r[(i - 1, j)] + r[(i + 1, j)] + r[(i, j - 1)] + r[(i, j + 1)];
         let directions = old[(i - 1, j)] + old[(i + 1, j)] + old[(i, j - 1)] + old[(i, j + 1)];
         p[(i, j)] = own;
-        square += own * own;
         curvature += own * (4.0 * own - (residuals + beta * directions));
     }
     for (i, j) in p.border(1) {
@@ -94,10 +90,9 @@ fn turn(r: &Field<f64, _, Ij>, old: &Field<f64, _, Ij>, p: &mut Field<f64, _, Ij
         let directions =
             old.or((i - 1, j), 0.0) + old.or((i + 1, j), 0.0) + old.or((i, j - 1), 0.0) + old.or((i, j + 1), 0.0);
         p[(i, j)] = own;
-        square += own * own;
         curvature += own * (4.0 * own - (residuals + beta * directions));
     }
-    (square, curvature)
+    curvature
 }
 
 /// `x <- x + alpha p` and `r <- r - alpha A p`; returns `r . r`.

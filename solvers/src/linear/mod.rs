@@ -44,7 +44,7 @@ pub use dense::DenseMatrix;
 pub use entries::{Entry, EntryError};
 pub use jacobi::jacobi;
 pub use laplacian::Laplacian;
-pub use operator::{Operator, Quotient, Value, Vector};
+pub use operator::{Operator, Value, Vector};
 pub use polar::Polar;
 pub use report::{Failure, Report, SolveError, Stop};
 pub use rows::{RowMatrix, Rows};

@@ -53,15 +53,6 @@ impl Value for DVec3 {
 /// A vector that an operator takes.
 pub type Vector<A> = Field<<A as Operator>::Value, <A as Operator>::Layout, <A as Operator>::Axes>;
 
-/// What is known of a matrix along a direction: its Rayleigh quotient is `curvature / square`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Quotient {
-    /// `p . p`.
-    pub square: f64,
-    /// `p . A p`.
-    pub curvature: f64,
-}
-
 /// A square matrix, known by its product with a vector, which is a kernel.
 ///
 /// [`turn`](Self::turn) and [`descend`](Self::descend) are the two halves of an iteration of conjugate gradients.
@@ -75,8 +66,8 @@ pub trait Operator {
     /// The layout of vectors.
     type Layout: Layout<Self::Axes>;
 
-    /// `y <- A x`; returns `x . x` and `x . A x`.
-    fn apply(&self, x: &Vector<Self>, y: &mut Vector<Self>) -> Quotient
+    /// `y <- A x`; returns `x . A x`.
+    fn apply(&self, x: &Vector<Self>, y: &mut Vector<Self>) -> f64
     where
         Self: Sized;
 
@@ -85,9 +76,9 @@ pub trait Operator {
     where
         Self: Sized;
 
-    /// `p <- r + beta p`; returns `p . p` and `p . A p`. `spare` holds whatever [`descend`](Self::descend) wants to find
+    /// `p <- r + beta p`; returns `p . A p`. `spare` holds whatever [`descend`](Self::descend) wants to find
     /// there.
-    fn turn(&self, r: &Vector<Self>, p: &mut Vector<Self>, spare: &mut Vector<Self>, beta: f64) -> Quotient
+    fn turn(&self, r: &Vector<Self>, p: &mut Vector<Self>, spare: &mut Vector<Self>, beta: f64) -> f64
     where
         Self: Sized,
     {

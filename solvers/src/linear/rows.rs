@@ -3,7 +3,7 @@
 use allotrope::prelude::*;
 
 use super::entries::{self, EntryError, by_rows};
-use super::operator::{Operator, Quotient, Vector};
+use super::operator::{Operator, Vector};
 
 /// An entry of a row.
 #[derive(Record, Clone, Copy, Debug, Default, PartialEq)]
@@ -47,9 +47,8 @@ impl Operator for RowMatrix {
     type Axes = I;
     type Layout = Aos;
 
-    fn apply(&self, x: &Vector<Self>, y: &mut Vector<Self>) -> Quotient {
-        let (square, curvature) = apply(&self.rows, x, y);
-        Quotient { square, curvature }
+    fn apply(&self, x: &Vector<Self>, y: &mut Vector<Self>) -> f64 {
+        apply(&self.rows, x, y)
     }
 
     fn diagonal(&self, diagonal: &mut Vector<Self>) {
@@ -57,20 +56,19 @@ impl Operator for RowMatrix {
     }
 }
 
-/// `y <- A x`; returns `x . x` and `x . A x`.
+/// `y <- A x`; returns `x . A x`.
 #[kernel]
-fn apply(rows: &Field<InRow, Rows, Ij>, x: &Field<f64, _>, y: &mut Field<f64, _>) -> (f64, f64) {
-    let (mut square, mut curvature) = (0.0, 0.0);
+fn apply(rows: &Field<InRow, Rows, Ij>, x: &Field<f64, _>, y: &mut Field<f64, _>) -> f64 {
+    let mut curvature = 0.0;
     for i in y {
         let mut product = 0.0;
         for e in rows.row(i) {
             product += rows.value[e] * x[rows.column[e]];
         }
         y[i] = product;
-        square += x[i] * x[i];
         curvature += x[i] * product;
     }
-    (square, curvature)
+    curvature
 }
 
 #[kernel]

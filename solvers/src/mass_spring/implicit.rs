@@ -8,7 +8,7 @@ use super::connectivity::{Connectivity, Vectors};
 use super::kernels::{self, Motion};
 use super::parameters::{Method, Parameters};
 use super::records::{Mass, Rates};
-use crate::linear::{Operator, Quotient, Report, SolveError, Vector, conjugate_gradients, jacobi};
+use crate::linear::{Operator, Report, SolveError, Vector, conjugate_gradients, jacobi};
 
 /// The matrix `M - a df/dx - b df/dv` of masses and springs as they stand, with the rows of fixed masses those of `M`
 /// alone. It is symmetric for any masses; divided by `M` it is the matrix `I - a M^-1 df/dx - ..` of the same system,
@@ -37,11 +37,10 @@ impl<M: Layout<I>, C: Connectivity<M>> Operator for StepMatrix<'_, M, C> {
     type Axes = I;
     type Layout = Aos;
 
-    fn apply(&self, x: &Vector<Self>, y: &mut Vector<Self>) -> Quotient {
+    fn apply(&self, x: &Vector<Self>, y: &mut Vector<Self>) -> f64 {
         kernels::clear(y);
         self.connectivity.add_resistance(self.masses, x, y, self.rates);
-        let (square, curvature) = kernels::add_inertia(self.masses, x, y, self.pull);
-        Quotient { square, curvature }
+        kernels::add_inertia(self.masses, x, y, self.pull)
     }
 
     fn diagonal(&self, diagonal: &mut Vector<Self>) {

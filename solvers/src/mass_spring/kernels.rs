@@ -105,23 +105,17 @@ pub(super) fn right_hand_side(
     }
 }
 
-/// `q <- M p + q`, the attractor's part of the matrix among `M`, or `M p` for fixed masses; returns `p . p` and `p . q`.
+/// `q <- M p + q`, the attractor's part of the matrix among `M`, or `M p` for fixed masses; returns `p . q`.
 #[kernel]
-pub(super) fn add_inertia(
-    masses: &Field<Mass, _>,
-    p: &Field<DVec3, _>,
-    q: &mut Field<DVec3, _>,
-    pull: f64,
-) -> (f64, f64) {
-    let (mut square, mut curvature) = (0.0, 0.0);
+pub(super) fn add_inertia(masses: &Field<Mass, _>, p: &Field<DVec3, _>, q: &mut Field<DVec3, _>, pull: f64) -> f64 {
+    let mut curvature = 0.0;
     for m in q {
         let (own, mass) = (p[m], masses.mass[m]);
         let product = if masses.fixed[m] { own * mass } else { own * (mass * (1.0 + pull)) + q[m] };
         q[m] = product;
-        square += own.length_squared();
         curvature += own.dot(product);
     }
-    (square, curvature)
+    curvature
 }
 
 /// The same for the diagonal.

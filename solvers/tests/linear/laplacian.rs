@@ -94,17 +94,16 @@ fn products_are_those_of_the_definition_in_any_shape_and_layout() {
         let values: Vec<f64> = (0..n * m).map(|at| random::<f64>(3, at) - 0.5).collect();
         x.copy_from_slice(&values);
         let mut y = x.clone();
-        let quotient = Laplacian::<L>::new().apply(&x, &mut y);
+        let measured = Laplacian::<L>::new().apply(&x, &mut y);
         let at = |i: usize, j: usize| if i < n && j < m { values[i * m + j] } else { 0.0 };
-        let (mut square, mut curvature) = (0.0, 0.0);
+        let mut curvature = 0.0;
         for (i, j) in (0..n).flat_map(|i| (0..m).map(move |j| (i, j))) {
             let around = at(i.wrapping_sub(1), j) + at(i + 1, j) + at(i, j.wrapping_sub(1)) + at(i, j + 1);
             let product = 4.0 * at(i, j) - around;
             assert!((y.get([i, j]) - product).abs() < 1e-14, "({i}, {j}) of {n} x {m}");
-            square += at(i, j).powi(2);
             curvature += at(i, j) * product;
         }
-        assert!((quotient.square - square).abs() < 1e-12 && (quotient.curvature - curvature).abs() < 1e-12);
+        assert!((measured - curvature).abs() < 1e-12);
     }
     for shape in [[1, 1], [1, 7], [2, 2], [5, 3], [17, 9]] {
         run(Field::<f64, Aos>::new(shape));
@@ -121,7 +120,7 @@ fn computing_a_product_twice_changes_nothing_but_rounding() {
         type Value = f64;
         type Axes = Ij;
         type Layout = Aos;
-        fn apply(&self, x: &Vector<Self>, y: &mut Vector<Self>) -> allotrope_solvers::linear::Quotient {
+        fn apply(&self, x: &Vector<Self>, y: &mut Vector<Self>) -> f64 {
             Laplacian::<Aos>::new().apply(x, y)
         }
         fn diagonal(&self, diagonal: &mut Vector<Self>) {

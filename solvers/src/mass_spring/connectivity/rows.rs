@@ -52,8 +52,8 @@ fn add_forces(links: &Field<Link, Lists, Ij>, masses: &mut Field<Mass, _>) {
         let (x, v) = (masses.x[m], masses.v[m]);
         let mut sum = DVec3::ZERO;
         for e in links.row(m) {
-            let other = links.other[e];
-            sum += links.bond[e].force(x - masses.x[other], v - masses.v[other]);
+            let Link { other, bond } = links[e];
+            sum += bond.force(x - masses.x[other], v - masses.v[other]);
         }
         masses.f[m] += sum;
     }
@@ -71,8 +71,8 @@ fn add_resistance(
         let (x, own) = (masses.x[m], p[m]);
         let mut sum = DVec3::ZERO;
         for e in links.row(m) {
-            let other = links.other[e];
-            sum += links.bond[e].resistance(x - masses.x[other], own - p[other], rates);
+            let Link { other, bond } = links[e];
+            sum += bond.resistance(x - masses.x[other], own - p[other], rates);
         }
         q[m] += sum;
     }
@@ -84,7 +84,8 @@ fn add_diagonal(links: &Field<Link, Lists, Ij>, masses: &Field<Mass, _>, diagona
         let x = masses.x[m];
         let mut sum = DVec3::ZERO;
         for e in links.row(m) {
-            sum += links.bond[e].diagonal(x - masses.x[links.other[e]], rates);
+            let Link { other, bond } = links[e];
+            sum += bond.diagonal(x - masses.x[other], rates);
         }
         diagonal[m] += sum;
     }

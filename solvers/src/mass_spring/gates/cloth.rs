@@ -130,7 +130,7 @@ impl Watch for Cloth {
                     .into(),
                 self.error / (weight * self.setup.parameters.dt),
                 0.0,
-                1e-9,
+                1e-8,
                 "Newton's third law: springs between free masses change no momentum",
             ));
         }

@@ -60,9 +60,9 @@ impl Builder {
         Err(keys.fault("masses", format!("are too many: more than {MOST_PARTICLES} are refused")))
     }
 
-    /// A spring as long as its masses are apart.
-    fn join(&mut self, a: usize, b: usize, bond: Bond) {
-        let rest = self.masses[a].x.distance(self.masses[b].x);
+    /// A spring, as long as its masses are apart if it is not told.
+    fn join(&mut self, a: usize, b: usize, bond: Bond, rest: Option<f64>) {
+        let rest = rest.unwrap_or_else(|| self.masses[a].x.distance(self.masses[b].x));
         self.springs.push(Spring { ends: [a as u32, b as u32], bond: Bond { rest, ..bond } });
     }
 
@@ -92,17 +92,14 @@ impl Builder {
         }
         let (bond, rest) = read_bond(keys)?;
         let [a, b] = ends.map(|end| end as usize);
-        self.join(a, b, bond);
-        if let (Some(rest), Some(spring)) = (rest, self.springs.last_mut()) {
-            spring.bond.rest = rest;
-        }
+        self.join(a, b, bond, rest);
         Ok(())
     }
 
     /// `[[chain]]`: masses in a line, each joined with the next. A wave displaces them along it, as the mode of that
     /// number of a chain held at both ends.
     pub(super) fn chain(&mut self, keys: &Keys<'_>) -> Result<(), SceneError> {
-        let known = ["from", "to", "masses", "mass", "stiffness", "dashpot", "hold", "wave", "amplitude"];
+        let known = ["from", "to", "masses", "mass", "stiffness", "rest", "dashpot", "hold", "wave", "amplitude"];
         keys.only("a chain", &known, &[])?;
         let (from, to) = (self.vector(keys, "from")?, self.vector(keys, "to")?);
         let count = keys.whole("masses", 2, MOST_PARTICLES as i64)?;
@@ -111,7 +108,7 @@ impl Builder {
         self.room(keys, count)?;
         let held = [("none", Ends::None), ("start", Ends::Start), ("both", Ends::Both)];
         let held = keys.choice("hold", "choice of held masses", &held)?.unwrap_or(Ends::None);
-        let (mass, (bond, _)) = (read_mass(keys)?, read_bond(keys)?);
+        let (mass, (bond, rest)) = (read_mass(keys)?, read_bond(keys)?);
         let wave = keys.whole("wave", 1, count as i64)?.unwrap_or(1) as f64;
         let amplitude = keys.number("amplitude")?.unwrap_or(0.0);
         let (first, last) = (self.masses.len(), (count - 1) as f64);
@@ -119,7 +116,9 @@ impl Builder {
             let fixed = (n == 0 && held != Ends::None) || (n + 1 == count && held == Ends::Both);
             self.masses.push(Mass { x: from.lerp(to, n as f64 / last), mass, fixed, ..Mass::default() });
         }
-        (first..first + count - 1).for_each(|n| self.join(n, n + 1, bond));
+        for n in first..first + count - 1 {
+            self.join(n, n + 1, bond, rest);
+        }
         let line = (to - from).normalize_or_zero();
         for (n, mass) in self.masses[first..].iter_mut().enumerate().filter(|(_, mass)| !mass.fixed) {
             mass.x += line * (amplitude * (wave * PI * n as f64 / last).sin());
@@ -174,7 +173,7 @@ impl Builder {
                     && row < rows
                     && (0..columns as i64).contains(&column)
                 {
-                    self.join(at(i, j), at(row, column as usize), bond);
+                    self.join(at(i, j), at(row, column as usize), bond, None);
                 }
             }
         }
