@@ -40,7 +40,7 @@ macro_rules! layout_pairs {
 layout_pairs! {
     "aos+list": Aos, List<Aos>, true, "masses interleaved; one list of springs, each of which adds to both its masses";
     "soa+list": Soa, List<Soa>, true, "an array for each member of masses and springs; one list of springs";
-    "aos+rows": Aos, Rows, true, "masses interleaved, each with a list of its springs, which it gathers from";
+    "aos+rows": Aos, Rows, true, "masses interleaved, each with a list of its springs";
     "soa+rows": Soa, Rows, true, "an array for each member of masses, each with a list of its springs";
     "aos+pointer": Aos, Matrix<Pointer>, true, "masses interleaved; a table of all pairs in blocks of 8 x 8 where there are springs";
     "aos+dense": Aos, Matrix<Soa>, false, "masses interleaved; a table of all pairs, for at most 2048 masses";

@@ -51,7 +51,6 @@ fn checks_of_small_scenes_pass_in_all_layouts() {
             passes(name, &[], layout, count);
         }
     }
-    passes("pendulum", &["integrator=implicit-midpoint", "dt=2e-3"], "aos+list", 2);
 }
 
 #[test]

@@ -4,7 +4,7 @@
 //! | --- | --- | --- |
 //! | [`Matrix`] over a dense layout | twice in a table of all pairs, which is mostly empty | added to the row's mass |
 //! | [`Matrix`] over a sparse layout | twice in the blocks of the table that are not empty | added to the row's mass |
-//! | [`Rows`] | twice, in a list of each of its masses | gathered by each mass |
+//! | [`Rows`] | twice, in a list of each of its masses | added to the list's mass |
 //! | [`List`] | once, in one list of all | added to both masses |
 
 mod list;

@@ -10,7 +10,7 @@ type Lists = layout!(dense(i).dynamic(j, 1024, chunk = 16).aos);
 /// As many springs as a mass can have.
 const MOST: usize = 1024;
 
-/// A list of springs for each mass, which sums up its own forces.
+/// A list of springs for each mass.
 #[derive(Clone, Debug)]
 pub struct Rows {
     links: Field<Link, Lists, Ij>,
@@ -46,16 +46,14 @@ impl<M: Layout<I>> Connectivity<M> for Rows {
     }
 }
 
+// Entries are visited in the order in which they lie: a loop over the lists of each mass would look every entry up.
+
 #[kernel]
 fn add_forces(links: &Field<Link, Lists, Ij>, masses: &mut Field<Mass, _>) {
-    for m in masses {
-        let (x, v) = (masses.x[m], masses.v[m]);
-        let mut sum = DVec3::ZERO;
-        for e in links.row(m) {
-            let Link { other, bond } = links[e];
-            sum += bond.force(x - masses.x[other], v - masses.v[other]);
-        }
-        masses.f[m] += sum;
+    for (m, e) in links {
+        let other = links.other[(m, e)];
+        let force = links.bond[(m, e)].force(masses.x[m] - masses.x[other], masses.v[m] - masses.v[other]);
+        masses.f[m] += force;
     }
 }
 
@@ -67,26 +65,16 @@ fn add_resistance(
     q: &mut Field<DVec3, _>,
     rates: Rates,
 ) {
-    for m in q {
-        let (x, own) = (masses.x[m], p[m]);
-        let mut sum = DVec3::ZERO;
-        for e in links.row(m) {
-            let Link { other, bond } = links[e];
-            sum += bond.resistance(x - masses.x[other], own - p[other], rates);
-        }
-        q[m] += sum;
+    for (m, e) in links {
+        let other = links.other[(m, e)];
+        q[m] += links.bond[(m, e)].resistance(masses.x[m] - masses.x[other], p[m] - p[other], rates);
     }
 }
 
 #[kernel]
 fn add_diagonal(links: &Field<Link, Lists, Ij>, masses: &Field<Mass, _>, diagonal: &mut Field<DVec3, _>, rates: Rates) {
-    for m in diagonal {
-        let x = masses.x[m];
-        let mut sum = DVec3::ZERO;
-        for e in links.row(m) {
-            let Link { other, bond } = links[e];
-            sum += bond.diagonal(x - masses.x[other], rates);
-        }
-        diagonal[m] += sum;
+    for (m, e) in links {
+        let other = links.other[(m, e)];
+        diagonal[m] += links.bond[(m, e)].diagonal(masses.x[m] - masses.x[other], rates);
     }
 }
