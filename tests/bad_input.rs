@@ -42,6 +42,48 @@ const COMMAND_LINES: &[Case] = &[
         "there is no schedule `tiled`; known are `auto`, `serial`, `private`, `colored`, `atomic`",
     ),
     wrong("bench mpm --schedules serail", "there is no schedule `serail`; did you mean `serial`?"),
+    wrong(
+        "bench mpm --sweep length",
+        "invalid value `length` for `--sweep <AXIS>` [possible values: size, particles-per-cell, threads, order]; `allotrope --help` tells \
+         what there is",
+    ),
+    wrong(
+        "bench mpm --points 1,2",
+        "the following required arguments were not provided: --sweep <AXIS>; `allotrope --help` tells what there is",
+    ),
+    wrong("bench mpm --sweep threads --points ,", "`--points` wants at least one value"),
+    wrong("bench mpm --sweep threads --points 1,two", "point `two` of `--sweep threads` is no whole number above zero"),
+    wrong(
+        "bench mpm --sweep particles-per-cell --points 4,-1",
+        "point `-1` of `--sweep particles-per-cell` is no number above zero",
+    ),
+    wrong(
+        "bench mpm --sweep order --points often",
+        "point `often` of `--sweep order` cannot be: a number of steps, 0 for never, or `auto` is wanted",
+    ),
+    wrong(
+        "bench mpm --sweep size --particles 100",
+        "`--particles` is what `--sweep size` changes; leave it out, or ask for `--points`",
+    ),
+    wrong(
+        "bench mpm --sweep order --reorder 8",
+        "`--reorder` is what `--sweep order` changes; leave it out, or ask for `--points`",
+    ),
+    wrong(
+        "bench mpm --sweep size --json x.json",
+        "the argument `--sweep <AXIS>` cannot be used with `--json <FILE>`; `allotrope --help` tells what there is",
+    ),
+    wrong("convert-cost mpm aos+row aos+row", "`aos+row` is changed into itself; ask for two layouts"),
+    wrong("convert-cost mpm aos+row soa+sao", "`mpm` has no layout `soa+sao`; did you mean `soa+soa`?"),
+    wrong("convert-cost mmp aos+row soa+soa", "there is no solver `mmp`; did you mean `mpm`?"),
+    wrong(
+        "convert-cost mpm aos+row",
+        "the following required arguments were not provided: <B>; `allotrope --help` tells what there is",
+    ),
+    wrong(
+        "convert-cost mpm aos+row soa+soa --schedule serail",
+        "there is no schedule `serail`; did you mean `serial`?",
+    ),
     wrong("compare taichi --workloads jacoby", "there is no workload `jacoby`; did you mean `jacobi`?"),
     wrong("compare taichi --workloads ,", "`--workloads` wants at least one name"),
     wrong("compare taichi --pairs 4", "invalid value `4` for `--pairs <N>`: 4 is not in 5..=1000"),

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use allotrope_lab::lab::bench::Report;
+use allotrope_lab::lab::convert_cost;
 use allotrope_lab::lab::peers::Report as Comparison;
 
 fn allotrope(arguments: &[&str]) -> Output {
@@ -170,6 +171,131 @@ fn bench_compares_layouts_and_writes_its_report() {
         let kernels: f64 = row.kernels.0.iter().map(|(_, time)| time).sum();
         // Medians of the parts against the median of the whole, on a machine that may be busy.
         assert!(row.kernels.0.len() == 3 && (0.3..2.0).contains(&(kernels / row.ms_per_step)), "{row:?}");
+    }
+}
+
+/// A sweep in a folder, and what it prints.
+fn sweep(axis: &str, points: &str, more: &[&str], out: &Path) -> Output {
+    let layouts = ["--layouts", "aos+row,soa+soa", "--steps", "11", "--sweep", axis, "--points", points, "--out"];
+    allotrope(&[&["bench", "mpm"], &layouts[..], &[out.to_str().unwrap()], more].concat())
+}
+
+/// The first columns of the lines of a sweep's table of numbers.
+fn columns(out: &Path) -> Vec<String> {
+    let text = std::fs::read_to_string(out.join("sweep.csv")).unwrap();
+    text.lines().skip(1).map(|line| line.split(',').take(6).collect::<Vec<_>>().join(" ")).collect()
+}
+
+#[test]
+fn a_sweep_goes_on_where_it_was_interrupted() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("sizes");
+    let done = sweep("size", "2048,512", &["--threads", "1"], &out);
+    let text = String::from_utf8(done.stdout).unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    assert!(text.contains(": 2 points along `size`\n"), "{text}");
+    assert!(text.contains("point 1 of 2: 2048 particles: 2048 particles, 64 x 64 nodes, best "), "{text}");
+    assert_eq!(names(&out), ["sweep.csv", "sweep.json", "sweep.svg"]);
+    let both = ["512 512 32x32 1 aos+row auto", "512 512 32x32 1 soa+soa auto"];
+    let more = ["2048 2048 64x64 1 aos+row auto", "2048 2048 64x64 1 soa+soa auto"];
+    assert_eq!(columns(&out), [both, more].concat());
+    let first = std::fs::read_to_string(out.join("sweep.csv")).unwrap();
+
+    // What is there is taken over to the bit, and what is missing is measured.
+    let text = String::from_utf8(sweep("size", "512,1152,2048", &["--threads", "1"], &out).stdout).unwrap();
+    assert!(text.contains(": 3 points along `size`; 2 of them are there already\n"), "{text}");
+    assert!(text.contains("point 3 of 3: 1152 particles: ") && !text.contains("point 1 of 3"), "{text}");
+    let last = std::fs::read_to_string(out.join("sweep.csv")).unwrap();
+    let lines: Vec<_> = last.lines().collect();
+    assert_eq!(lines.len(), 7);
+    assert_eq!([&lines[..3], &lines[5..]].concat().join("\n"), first.trim_end());
+    let chart = std::fs::read_to_string(out.join("sweep.svg")).unwrap();
+    assert_eq!(chart.matches("<circle").count(), 6);
+    assert!(chart.contains("\nsoa+soa\n") && chart.contains("nanoseconds a particle and step"), "{chart}");
+
+    // Nothing else goes on in its folder, and nothing that is damaged.
+    let refused = |output: Output, wanted: &str| {
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!((output.status.code(), message.trim_end()), (Some(2), wanted));
+    };
+    let file = out.join("sweep.json");
+    let wrong = |what: &str| {
+        format!(
+            "error: sweep `{}` is another one: {what}; take another folder by `--out`, or remove it",
+            file.display()
+        )
+    };
+    refused(sweep("threads", "1", &[], &out), &wrong("`axis` is \"threads\" here and \"size\" there"));
+    let dt = ["--threads", "1", "--set", "dt=1e-4"];
+    refused(sweep("size", "512", &dt, &out), &wrong("the scene has other values"));
+    refused(sweep("size", "512", &["--threads", "2"], &out), &wrong("`threads` is 2 here and 1 there"));
+    let text = std::fs::read_to_string(&file).unwrap();
+    std::fs::write(&file, &text[..text.len() / 2]).unwrap();
+    let output = sweep("size", "512", &["--threads", "1"], &out);
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(message.starts_with(&format!("error: sweep `{}` is damaged: ", file.display())), "{message}");
+    assert_eq!((output.status.code(), message.lines().count()), (Some(2), 1));
+}
+
+#[test]
+fn threads_and_orders_are_swept() {
+    let folder = tempfile::tempdir().unwrap();
+    let size = ["--particles", "2000", "--grid", "48"];
+    let threads = folder.path().join("threads");
+    assert!(sweep("threads", "2,1", &size, &threads).status.success());
+    let row = |threads: usize, layout| format!("{threads} 2000 48x48 {threads} {layout} auto");
+    assert_eq!(columns(&threads), [row(1, "aos+row"), row(1, "soa+soa"), row(2, "aos+row"), row(2, "soa+soa")]);
+    let densities = folder.path().join("densities");
+    assert!(sweep("particles-per-cell", "2,0.5", &["--grid", "64", "--threads", "1"], &densities).status.success());
+    // Some 655 of the 64 x 64 cells are filled at the start.
+    let counts: Vec<usize> =
+        columns(&densities).iter().map(|line| line.split(' ').nth(1).unwrap().parse().unwrap()).collect();
+    assert!(
+        (300..380).contains(&counts[0]) && counts[1] == counts[0] && counts[2].abs_diff(4 * counts[0]) < 4,
+        "{counts:?}"
+    );
+    let orders = folder.path().join("orders");
+    let done = sweep("order", "auto,0,4", &[&size[..], &["--threads", "1"]].concat(), &orders);
+    let text = String::from_utf8(done.stdout).unwrap();
+    assert!(
+        text.contains("point 3 of 3: particles sorted every 4 steps: 2000 particles, 48 x 48 nodes, best "),
+        "{text}"
+    );
+    let columns: Vec<_> = columns(&orders).iter().map(|line| line.split(' ').next().unwrap().to_string()).collect();
+    assert_eq!(columns, ["0", "0", "4", "4", "auto", "auto"]);
+    assert!(std::fs::read_to_string(orders.join("sweep.svg")).unwrap().contains("\nsoa+soa, auto\n"));
+}
+
+#[test]
+fn a_change_of_layouts_tells_what_it_costs_and_when_it_pays() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("cost.json");
+    let size = ["--particles", "2000", "--grid", "48", "--threads", "1", "--steps", "22", "--json"];
+    let command = ["convert-cost", "mpm", "aos+row", "aosoa16+blocked4"];
+    let text = succeeds(&[&command[..], &size, &[path.to_str().unwrap()]].concat());
+    assert!(text.starts_with("mpm mpm88: 2000 particles, 48 x 48 nodes\n"), "{text}");
+    assert!(text.contains("the state goes over whole, and both go on alike: after 22 steps"), "{text}");
+    assert!(
+        text.contains("22 steps each, in 11 interleaved repetitions") && text.contains("\naosoa16+blocked4  "),
+        "{text}"
+    );
+    assert!(
+        text.contains("\naos+row to aosoa16+blocked4: ") && text.lines().last().unwrap().contains("pays"),
+        "{text}"
+    );
+
+    let line = std::fs::read_to_string(&path).unwrap();
+    let report: convert_cost::Report = serde_json::from_str(&line).unwrap();
+    assert_eq!((report.from.layout.as_str(), report.to.layout.as_str()), ("aos+row", "aosoa16+blocked4"));
+    let change = &report.change;
+    assert!(change.read_ms > 0.0 && change.write_ms > 0.0 && change.ms < 1e3, "{report:?}");
+    let [low, high] = change.gain_interval_ms;
+    assert!(low <= change.gain_ms && change.gain_ms <= high, "{report:?}");
+    // It pays where the gain is above the noise, and then for its cost.
+    assert_eq!(change.pays_after.is_some(), low > 0.0);
+    if let (Some(steps), Some([early, late])) = (change.pays_after, change.pays_between) {
+        assert!(early <= steps && steps <= late, "{report:?}");
+        assert!((steps as f64 - change.ms / change.gain_ms).abs() <= 1.0 + 1e-3 * steps as f64, "{report:?}");
     }
 }
 

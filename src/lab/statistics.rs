@@ -20,6 +20,25 @@ pub fn spread(values: &[f64]) -> f64 {
     (quantile(values, 0.75) - quantile(values, 0.25)) / median(values)
 }
 
+/// The narrowest pair of values, equally far from both ends of the sorted ones, between which the median of what they are
+/// drawn from lies with 95 % confidence, whatever its distribution; the least and the greatest where there are fewer than six
+/// (David & Nagaraja 2003, "Order statistics", section 7.1). `NaN` if there are none.
+pub fn median_interval(values: &[f64]) -> [f64; 2] {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let count = sorted.len();
+    // The chance that fewer than `rank` + 1 values of `count` lie below the median: a sum of binomials over two to the count.
+    let (mut term, mut below, mut rank) = (0.5f64.powi(count as i32), 0.0, 0);
+    while 2 * (rank + 1) < count && below + term <= 0.025 {
+        below += term;
+        term *= (count - rank) as f64 / (rank + 1) as f64;
+        rank += 1;
+    }
+    // Of values below `rank` there is one too many.
+    let rank = rank.saturating_sub(1);
+    if count == 0 { [f64::NAN; 2] } else { [sorted[rank], sorted[count - 1 - rank]] }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -33,6 +52,31 @@ mod tests {
         assert_eq!(quantile(&values, 1.0), 4.0);
         assert_eq!(median(&[7.0]), 7.0);
         assert!(median(&[]).is_nan());
+    }
+
+    #[test]
+    fn the_interval_of_a_median_is_that_of_the_tables() {
+        let ranks = |count: usize| {
+            let values: Vec<f64> = (1..=count).rev().map(|n| n as f64).collect();
+            median_interval(&values)
+        };
+        // The greatest rank below which at most 2.5 % of a binomial distribution of one half lie, by hand.
+        let table = [
+            (1, [1.0, 1.0]),
+            (5, [1.0, 5.0]),
+            (6, [1.0, 6.0]),
+            (8, [1.0, 8.0]),
+            (9, [2.0, 8.0]),
+            (11, [2.0, 10.0]),
+            (12, [3.0, 10.0]),
+            (15, [4.0, 12.0]),
+            (20, [6.0, 15.0]),
+            (25, [8.0, 18.0]),
+        ];
+        for (count, wanted) in table {
+            assert_eq!(ranks(count), wanted, "{count} values");
+        }
+        assert!(median_interval(&[])[0].is_nan());
     }
 
     #[test]

@@ -42,6 +42,11 @@ pub fn four_digits(value: f64) -> String {
     format!("{value:.*}", digits as usize)
 }
 
+/// A small difference by its size.
+pub fn error_digits(value: f64) -> String {
+    if value == 0.0 { "0".into() } else { format!("{value:.1e}") }
+}
+
 /// Rounded to six digits: more are noise, and make the line unreadable.
 pub fn six_digits(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
@@ -56,6 +61,11 @@ mod tests {
         assert_eq!(four_digits(0.312_345), "0.3123");
         assert_eq!(four_digits(41.238), "41.24");
         assert_eq!(four_digits(0.0), "0.000000");
+    }
+
+    #[test]
+    fn errors_are_told_by_their_size() {
+        assert_eq!((error_digits(0.0), error_digits(3.21e-7)), ("0".into(), "3.2e-7".into()));
     }
 
     #[test]

@@ -1,14 +1,14 @@
 //! `allotrope bench`: one scene in many layouts, interleaved, so that a change of the machine's speed meets all of them
 //! alike.
 
+pub(super) mod contender;
 mod report;
 mod text;
 
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use allotrope::Schedule;
-use allotrope_solvers::{Scene, Simulation, SolverInfo};
+use allotrope_solvers::{Scene, SolverInfo};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::errors::LabError;
@@ -16,6 +16,7 @@ use super::machine::{self, NamedSchedule};
 use super::output;
 use super::statistics::{median, spread};
 use super::table::six_digits;
+use contender::{Contender, SORT, difference, verify};
 pub use report::{Kernels, Report, Row};
 use text::{About, text};
 
@@ -23,7 +24,7 @@ use text::{About, text};
 const REPETITIONS: u64 = 11;
 
 /// What is to be compared.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Plan {
     /// The solver.
     pub solver: &'static SolverInfo,
@@ -39,58 +40,6 @@ pub struct Plan {
     pub threads: Option<usize>,
     /// Timed steps of each row, if so many are asked for.
     pub steps: Option<u64>,
-}
-
-/// A layout with a schedule, while it runs.
-struct Contender {
-    layout: &'static str,
-    named: NamedSchedule,
-    schedule: Schedule,
-    simulation: Box<dyn Simulation>,
-    /// Milliseconds a step of each repetition, without sorting.
-    samples: Vec<f64>,
-    /// The same in each kernel.
-    kernels: Vec<Vec<f64>>,
-    /// Steps that were taken, also before the first repetition.
-    taken: u64,
-    /// The time that sorting took in them: sorts are rare, so that it is spread over all.
-    sorting: Duration,
-}
-
-/// The part of a step that most steps do not have.
-const SORT: &str = "sort";
-
-impl Contender {
-    /// Takes some steps; gives their time, and that in each kernel, without sorting.
-    fn advance(&mut self, steps: u64) -> Result<(Duration, Vec<Duration>), LabError> {
-        let Self { simulation, schedule, layout, named, taken, sorting, .. } = self;
-        let mut spent = vec![Duration::ZERO; simulation.kernel_names().len()];
-        let start = Instant::now();
-        let done = schedule.run(|| (0..steps).try_for_each(|_| simulation.step_timed(&mut spent)));
-        done.map_err(|error| LabError::failure(format!("{layout} with schedule {}: {error}", named.name)))?;
-        let elapsed = start.elapsed();
-        let sort = simulation.kernel_names().iter().position(|&name| name == SORT);
-        let sorted = sort.map_or(Duration::ZERO, |sort| std::mem::take(&mut spent[sort]));
-        *taken += steps;
-        *sorting += sorted;
-        Ok((elapsed.saturating_sub(sorted), spent))
-    }
-
-    /// Milliseconds of sorting a step.
-    fn sorting(&self) -> f64 {
-        self.sorting.as_secs_f64() * 1e3 / self.taken.max(1) as f64
-    }
-
-    /// Takes some steps as one repetition.
-    fn repeat(&mut self, steps: u64) -> Result<(), LabError> {
-        let (time, spent) = self.advance(steps)?;
-        let each = |time: Duration| time.as_secs_f64() * 1e3 / steps as f64;
-        self.samples.push(each(time));
-        for (samples, time) in self.kernels.iter_mut().zip(spent) {
-            samples.push(each(time));
-        }
-        Ok(())
-    }
 }
 
 /// Runs the plan, prints a table, and writes the report where one is wanted.
@@ -112,23 +61,11 @@ pub fn bench(plan: &Plan, json: Option<&Path>) -> Result<(), LabError> {
     }
 }
 
-fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
+pub(super) fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
     let mut contenders = Vec::new();
     for &layout in &plan.layouts {
         for &named in &plan.schedules {
-            let simulation = (plan.solver.build)(&plan.scene, layout)?;
-            let kernels = vec![Vec::new(); simulation.kernel_names().len()];
-            let schedule = named.with_threads(plan.threads);
-            contenders.push(Contender {
-                layout,
-                named,
-                schedule,
-                simulation,
-                samples: Vec::new(),
-                kernels,
-                taken: 0,
-                sorting: Duration::ZERO,
-            });
+            contenders.push(Contender::new(plan.solver, &plan.scene, layout, named, plan.threads)?);
         }
     }
 
@@ -192,67 +129,21 @@ fn row(contender: &Contender, reference: &[[f64; 3]]) -> Row {
 
 /// The steps of each repetition, where a step of all contenders takes `each` seconds: as many as are asked for, or what
 /// takes about 20 seconds.
-fn pieces(each: f64, asked: Option<u64>) -> Vec<u64> {
+pub(super) fn pieces(each: f64, asked: Option<u64>) -> Vec<u64> {
     let steps = asked.unwrap_or_else(|| ((20.0 / each) as u64).clamp(REPETITIONS, 1100));
     let repetitions = REPETITIONS.min(steps);
     (0..repetitions).map(|n| steps * (n + 1) / repetitions - steps * n / repetitions).collect()
 }
 
 /// Steps after which the states are compared: 100, fewer where a step is long, and no more than are asked for.
-fn verification_steps(particles: usize, asked: Option<u64>) -> u64 {
+pub(super) fn verification_steps(particles: usize, asked: Option<u64>) -> u64 {
     let bearable = (4_000_000 / particles.max(1)).clamp(10, 100) as u64;
     bearable.min(asked.unwrap_or(bearable))
-}
-
-/// Checks that all contenders are in the state of the first: the order of additions alone may differ, which leaves
-/// positions within some roundings of the domain's extent. Gives the largest difference.
-fn verify(contenders: &[Contender], steps: u64) -> Result<f64, LabError> {
-    let reference = contenders[0].simulation.positions();
-    let extent = contenders[0].simulation.extent().into_iter().fold(0.0, f64::max);
-    let bound = 1e-5 * extent;
-    let mut largest = 0.0f64;
-    for contender in &contenders[1..] {
-        let (error, particle) = difference(&reference, &contender.simulation.positions());
-        if error.is_nan() || error > bound {
-            return Err(LabError::failure(format!(
-                "after {steps} steps {} with schedule {} is in another state than {}: particle {particle} differs by \
-                 {error:.3e}, above {bound:.3e}",
-                contender.layout, contender.named.name, contenders[0].layout
-            )));
-        }
-        largest = largest.max(error);
-    }
-    Ok(largest)
-}
-
-/// The largest difference along an axis, and the particle that has it. What is not a number differs most.
-fn difference(a: &[[f64; 3]], b: &[[f64; 3]]) -> (f64, usize) {
-    let mut largest = (0.0, 0);
-    for (particle, (a, b)) in a.iter().zip(b).enumerate() {
-        for (a, b) in a.iter().zip(b) {
-            let error = (a - b).abs();
-            if error.is_nan() || error > largest.0 {
-                largest = (error, particle);
-            }
-            if error.is_nan() {
-                return largest;
-            }
-        }
-    }
-    largest
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn differences_find_the_farthest_particle_and_what_is_not_a_number() {
-        let a = [[0.0; 3], [1.0, 2.0, 3.0]];
-        assert_eq!(difference(&a, &[[0.0; 3], [1.0, 2.5, 3.0]]), (0.5, 1));
-        assert_eq!(difference(&a, &a).0, 0.0);
-        assert!(difference(&a, &[[f64::NAN, 0.0, 0.0], [9.0; 3]]).0.is_nan());
-    }
 
     #[test]
     fn long_steps_are_verified_over_fewer() {

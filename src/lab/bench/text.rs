@@ -3,15 +3,15 @@
 use super::report::Report;
 use crate::lab::machine;
 use crate::lab::scene::size;
-use crate::lab::table::{Table, four_digits};
+use crate::lab::table::{Table, error_digits, four_digits};
 
 /// What the table tells beside the report.
-pub(super) struct About {
-    pub(super) verified: u64,
-    pub(super) agreement: f64,
-    pub(super) repetitions: u64,
-    pub(super) steps: u64,
-    pub(super) time: f64,
+pub(in crate::lab) struct About {
+    pub(in crate::lab) verified: u64,
+    pub(in crate::lab) agreement: f64,
+    pub(in crate::lab) repetitions: u64,
+    pub(in crate::lab) steps: u64,
+    pub(in crate::lab) time: f64,
 }
 
 /// Machine and scene, what was checked, and the table.
@@ -60,10 +60,6 @@ pub(super) fn text(report: &Report, about: &About) -> String {
         table.row(cells);
     }
     text + &table.text()
-}
-
-fn error_digits(value: f64) -> String {
-    if value == 0.0 { "0".into() } else { format!("{value:.1e}") }
 }
 
 #[cfg(test)]

@@ -88,7 +88,7 @@ impl Scale {
         self.pixels[0] + (f64::from(self.pixels[1] - self.pixels[0]) * share).round() as i32
     }
 
-    /// Round values: powers of ten, and two and five times those where they are few.
+    /// Round values: powers of ten, two and five times those where they are few, and more where they are fewer still.
     fn ticks(&self) -> Vec<f64> {
         let powers = self.low.log10().floor() as i32..=self.high.log10().ceil() as i32;
         let scaled = |whole: f64, power: i32| {
@@ -99,7 +99,12 @@ impl Scale {
             ticks.filter(|tick| (self.low..=self.high).contains(tick)).collect()
         };
         let tens = all(&[1.0]);
-        if tens.len() > 2 { tens } else { all(&[1.0, 2.0, 5.0]) }
+        let some = all(&[1.0, 2.0, 5.0]);
+        match (tens.len(), some.len()) {
+            (3.., _) => tens,
+            (_, 2..) => some,
+            _ => all(&[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0]),
+        }
     }
 }
 
@@ -202,6 +207,14 @@ mod tests {
         assert!((xs[1] - xs[0] - (xs[2] - xs[1])).abs() <= 1.0 && xs[0] < xs[1], "{xs:?}");
         assert!((ys[1] - ys[0] - (ys[2] - ys[1])).abs() <= 1.0 && ys[0] > ys[1], "{ys:?}");
         assert!(svg.contains("\n1e6\n") && svg.contains("\n10000\n"), "{svg}");
+    }
+
+    #[test]
+    fn a_narrow_scale_has_ticks_too() {
+        let scale = Scale::new([210.0, 290.0].into_iter(), [0, 100]);
+        assert_eq!(scale.ticks(), [200.0, 250.0, 300.0]);
+        assert_eq!(Scale::new([1.0, 30.0].into_iter(), [0, 100]).ticks(), [1.0, 2.0, 5.0, 10.0, 20.0]);
+        assert_eq!(Scale::new([1.0, 300.0].into_iter(), [0, 100]).ticks(), [1.0, 10.0, 100.0]);
     }
 
     #[test]

@@ -9,6 +9,7 @@ use super::values::words;
 use crate::lab::bench;
 use crate::lab::errors::LabError;
 use crate::lab::machine::NamedSchedule;
+use crate::lab::sweep::{self, Axis};
 
 /// What is asked of `allotrope bench`.
 #[derive(Args, Debug)]
@@ -26,13 +27,29 @@ pub struct BenchArguments {
     /// Writes the results to a file too, as one line of JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// Compares at many points, along one axis
+    #[arg(long, value_enum, value_name = "AXIS", conflicts_with = "json")]
+    sweep: Option<Axis>,
+    /// The points of the sweep, with commas between them [default: some about the scene's]
+    #[arg(long, value_name = "A,B", requires = "sweep")]
+    points: Option<String>,
+    /// The folder for `sweep.json`, `sweep.csv` and `sweep.svg`, in which an interrupted sweep goes on [default:
+    /// allotrope-sweep]
+    #[arg(long, value_name = "DIR", requires = "sweep")]
+    out: Option<PathBuf>,
 }
+
+/// The folder of a sweep, if none is asked for.
+const OUT: &str = "allotrope-sweep";
 
 impl BenchArguments {
     pub(super) fn execute(self) -> Result<(), LabError> {
         let solver = allotrope_solvers::solver(&self.solver).map_err(LabError::usage)?;
         let scene = self.what.scene(solver)?;
-        let layouts = if self.layouts.trim() == "all" {
+        let layouts = if self.layouts.trim() == "all" && self.sweep == Some(Axis::Size) {
+            // Which ones fit may depend on the size.
+            solver.layouts.iter().map(|layout| layout.name).collect()
+        } else if self.layouts.trim() == "all" {
             scenes::fit(solver, &scene)
         } else {
             let named = words(&self.layouts).into_iter().map(|name| scenes::fitting(solver, &scene, Some(name)));
@@ -46,6 +63,32 @@ impl BenchArguments {
         let name = self.what.name(solver).to_string();
         let plan =
             bench::Plan { solver, name, scene, layouts, schedules, threads: self.what.threads, steps: self.what.steps };
-        bench::bench(&plan, self.json.as_deref())
+        match self.sweep {
+            Some(axis) => self.sweep(axis, plan),
+            None => bench::bench(&plan, self.json.as_deref()),
+        }
+    }
+
+    fn sweep(&self, axis: Axis, bench: bench::Plan) -> Result<(), LabError> {
+        let SceneArguments { particles, threads, reorder, .. } = &self.what;
+        let (option, twice) = match axis {
+            Axis::Size | Axis::ParticlesPerCell => ("particles", particles.is_some()),
+            Axis::Threads => ("threads", threads.is_some()),
+            Axis::Order => ("reorder", reorder.is_some()),
+        };
+        if twice {
+            return Err(LabError::usage(format!(
+                "`--{option}` is what `--sweep {}` changes; leave it out, or ask for `--points`",
+                axis.name()
+            )));
+        }
+        let points = match &self.points {
+            Some(points) if words(points).is_empty() => {
+                return Err(LabError::usage("`--points` wants at least one value"));
+            }
+            points => points.iter().flat_map(|points| words(points)).map(String::from).collect(),
+        };
+        let out = self.out.clone().unwrap_or_else(|| OUT.into());
+        sweep::sweep(&sweep::Plan { bench, axis, points }, &out)
     }
 }

@@ -38,7 +38,21 @@ pub(super) const BENCH: &str = "\
 Examples:
   allotrope bench mpm                           # all layouts that fit the first scene
   allotrope bench mpm --layouts aos+row,soa+soa --schedules private,atomic
-  allotrope bench mpm --particles 1048576 --grid 1024 --threads 1 --json bench.json";
+  allotrope bench mpm --particles 1048576 --grid 1024 --threads 1 --json bench.json
+  allotrope bench mpm --sweep size --layouts aos+row,soa+soa --out sizes
+  allotrope bench mpm --sweep threads --points 1,2
+  allotrope bench mpm --particles 100000 --sweep order --points 0,16,auto
+
+A sweep has its results on the disk after each point: the same command goes on after the last one.";
+
+/// Of `convert-cost`.
+pub(super) const CONVERT_COST: &str = "\
+Examples:
+  allotrope convert-cost mpm aos+row soa+soa    # of the first scene
+  allotrope convert-cost mpm aos+row aosoa16+blocked4 --particles 200000 --grid 512 --json cost.json
+
+The state is read from one layout and written into the other, both of which are there; before anything is timed, both
+must come to the same positions from it. Times are medians of interleaved repetitions; intervals of 95 %.";
 
 /// Of `compare`.
 pub(super) const COMPARE: &str = "\

@@ -2,6 +2,7 @@
 
 mod bench;
 mod compare;
+mod convert_cost;
 mod examples;
 mod run;
 mod scene;
@@ -17,6 +18,7 @@ use clap_complete::Shell;
 
 pub use self::bench::BenchArguments;
 pub use self::compare::CompareCommand;
+pub use self::convert_cost::ConvertCostArguments;
 pub use self::run::RunArguments;
 pub use self::scene::SceneCommand;
 use super::errors::LabError;
@@ -41,6 +43,9 @@ enum Command {
     /// Runs a scene in many layouts, checks that they agree, and compares their speed
     #[command(after_help = examples::BENCH)]
     Bench(BenchArguments),
+    /// Tells what it costs to go on in another layout, and after how many steps that pays
+    #[command(after_help = examples::CONVERT_COST)]
+    ConvertCost(ConvertCostArguments),
     /// Compares our workloads with other systems'
     #[command(subcommand, after_help = examples::COMPARE)]
     Compare(CompareCommand),
@@ -110,6 +115,7 @@ impl Cli {
             Command::List => output::print(&list::text()),
             Command::Run(arguments) => arguments.execute(),
             Command::Bench(arguments) => arguments.execute(),
+            Command::ConvertCost(arguments) => arguments.execute(),
             Command::Compare(command) => command.execute(),
             Command::Scene(command) => command.execute(),
             Command::Completions(arguments) => arguments.execute(),
