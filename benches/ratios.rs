@@ -16,10 +16,15 @@ use allotrope::prelude::*;
 use allotrope_lab::workloads::stencils::{Four, ramp};
 use allotrope_lab::workloads::transfer::{Mpm, Node, Point, drawn_points, sorted_points};
 use allotrope_lab::workloads::{bodies, stencils, streams, transfer};
+use allotrope_solvers::linear::{Laplacian, Operator};
+use allotrope_solvers::mass_spring::{List, MassSpring, SpringsSetup};
 use harness::{Pairs, same};
 use twins::Aligned;
 use twins::transfer::{Apart, Block, Blocks, Interleaved, NodeLists, NodeRecords};
-use twins::{bodies as hand_bodies, stencils as hand_stencils, streams as hand_streams, transfer as hand};
+use twins::{
+    bodies as hand_bodies, springs as hand_springs, stencils as hand_stencils, streams as hand_streams,
+    transfer as hand,
+};
 
 fn stream_pairs(pairs: &Pairs) {
     for (size, label) in [(1 << 24, "2^24"), (1 << 20, "2^20"), (1 << 17, "2^17"), (1 << 14, "2^14")] {
@@ -325,6 +330,82 @@ fn transfer_pair<LP: Layout<I>, LG: Layout<Ij>, P: hand::Points + Clone, N: hand
     }
 }
 
+/// A step of the solver's cloth.
+fn cloth_pair(pairs: &Pairs) {
+    let name = "cloth 128 x 128, symplectic Euler, list of springs";
+    if !pairs.wants(name) {
+        return;
+    }
+    let scene = allotrope_solvers::solver("springs")
+        .and_then(|solver| solver.scene("cloth").map_err(|error| error.to_string()));
+    let scene = scene.expect("a built-in scene");
+    let setup: &SpringsSetup = scene.setup().expect("a scene of springs");
+    let SpringsSetup { parameters, masses, springs, .. } = setup;
+    let mut system = MassSpring::<Aos, List>::with(*parameters, masses, springs).expect("a sound scene");
+    let vector = |v: DVec3| v.to_array();
+    let record = |m: &allotrope_solvers::mass_spring::Mass| hand_springs::Mass {
+        x: vector(m.x),
+        v: vector(m.v),
+        f: [0.0; 3],
+        mass: m.mass,
+        fixed: m.fixed,
+    };
+    let mut hand: Vec<_> = masses.iter().map(record).collect();
+    let list = springs.iter().map(|spring| hand_springs::Spring {
+        ends: spring.ends,
+        stiffness: spring.bond.stiffness,
+        rest: spring.bond.rest,
+        dashpot: spring.bond.dashpot,
+    });
+    let list: Vec<_> = list.collect();
+    let step = hand_springs::Step {
+        dt: parameters.dt,
+        gravity: vector(parameters.gravity),
+        decay: (-parameters.dt * parameters.drag).exp(),
+        walls: parameters.walls.map(vector),
+    };
+    for _ in 0..100 {
+        system.step().expect("a stable step");
+        hand_springs::step(pairs.cpu, &list, &mut hand, &step);
+    }
+    let ours: Vec<f32> = system.positions().iter().flat_map(|x| x.to_array()).map(|x| x as f32).collect();
+    let theirs: Vec<f32> = hand.iter().flat_map(|mass| mass.x).map(|x| x as f32).collect();
+    same(name, &ours, &theirs, 1e-6);
+    pairs.run(
+        name,
+        || _ = system.step().expect("a stable step"),
+        || _ = black_box(hand_springs::step(pairs.cpu, &list, &mut hand, black_box(&step))),
+    );
+}
+
+/// An iteration of conjugate gradients beside loops over the same arrays that do nothing but move them.
+fn solve_pairs(pairs: &Pairs) {
+    for n in [1024, 2048] {
+        let name = format!("conjugate gradients {n}^2, beside its streams");
+        if !pairs.wants(&name) {
+            continue;
+        }
+        let values: Vec<f64> = (0..n * n).map(|at| f64::from(at as u32 * 7919 % 1009) / 1009.0).collect();
+        let mut r = Field::<f64, Aos>::new([n, n]);
+        r.copy_from_slice(&values);
+        let (mut x, mut p, mut spare) = (r.clone(), r.clone(), r.clone());
+        let mut hand: [_; 4] = std::array::from_fn(|_| Aligned::new(&values));
+        let laplacian = Laplacian::new();
+        pairs.run(
+            &name,
+            || {
+                black_box(laplacian.turn(&r, &mut p, &mut spare, black_box(1e-9)));
+                black_box(laplacian.descend(&mut x, &mut r, &p, &spare, black_box(1e-9)));
+            },
+            || {
+                let [old, new, x, r] = &mut hand;
+                hand_streams::conjugate_gradients(pairs.cpu, black_box(1e-9), old, new, x, r);
+                black_box(&mut *new);
+            },
+        );
+    }
+}
+
 /// Z-order beside rows: the same kernels, the one in the place of the twin in rows.
 fn morton_pairs(pairs: &Pairs) {
     for n in [2048, 256] {
@@ -382,6 +463,8 @@ fn main() {
         laplacian_pairs(pairs);
         body_pairs(pairs);
         transfer_pairs(pairs);
+        cloth_pair(pairs);
+        solve_pairs(pairs);
         morton_pairs(pairs);
     });
 }

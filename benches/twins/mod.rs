@@ -2,6 +2,7 @@
 
 pub(crate) mod bodies;
 pub(crate) mod shell;
+pub(crate) mod springs;
 pub(crate) mod stencils;
 pub(crate) mod streams;
 pub(crate) mod transfer;

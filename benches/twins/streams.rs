@@ -25,3 +25,17 @@ versions! {
         rest + lanes.iter().sum::<f32>()
     }
 }
+
+versions! {
+    /// What an iteration of conjugate gradients moves, without the stencil: two arrays read and one written, then three
+    /// read and two of them written.
+    pub fn conjugate_gradients(scale: f64, old: &[f64], new: &mut [f64], x: &mut [f64], r: &mut [f64]) {
+        for ((new, old), r) in new.iter_mut().zip(old).zip(&*r) {
+            *new = r + scale * old;
+        }
+        for ((x, r), new) in x.iter_mut().zip(r).zip(&*new) {
+            *x += scale * new;
+            *r -= scale * new;
+        }
+    }
+}

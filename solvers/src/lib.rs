@@ -16,6 +16,7 @@
 
 mod gate;
 pub mod linear;
+pub mod mass_spring;
 pub mod mesh;
 pub mod mpm;
 mod nearest;

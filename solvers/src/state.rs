@@ -88,6 +88,15 @@ impl State {
         }
     }
 
+    /// The numbers of double precision of an array of `components` numbers for each of `count` particles.
+    pub(crate) fn doubles(&self, name: &str, components: usize, count: usize) -> Result<&[f64], String> {
+        let array = self.array(name)?;
+        match &array.values {
+            Values::F64(values) if values.len() == components * count => Ok(values),
+            _ => Err(array.fault(components * count)),
+        }
+    }
+
     /// The `count` whole numbers of an array.
     pub(crate) fn whole(&self, name: &str, count: usize) -> Result<&[u32], String> {
         let array = self.array(name)?;

@@ -1,4 +1,11 @@
-//! Singular value and polar decompositions, judged in double precision.
+//! Singular value and polar decompositions, judged in double precision; iterative solvers in their modules.
+
+#[path = "linear/failures.rs"]
+mod failures;
+#[path = "linear/laplacian.rs"]
+mod laplacian;
+#[path = "linear/matrices.rs"]
+mod matrices;
 
 use allotrope::prelude::*;
 use allotrope_solvers::linear::{Matrix, Polar, Svd};

@@ -34,6 +34,13 @@ pub struct Accumulate<'a, R, L, X, P, const FAR: bool = false> {
     owner: PhantomData<*mut ()>,
 }
 
+/// An update of an element that may not lie in the window: by value as a whole, so that it is in memory for the call alone.
+struct Elsewhere<A, T> {
+    view: A,
+    at: [i64; MAX_AXES],
+    value: T,
+}
+
 impl<R, L, X, P, const FAR: bool> Clone for Accumulate<'_, R, L, X, P, FAR> {
     #[inline(always)]
     fn clone(&self) -> Self {
@@ -106,7 +113,7 @@ where
     {
         let (at, geometry) = (index.coordinates(), &self.lane.handle().geometry);
         if FAR {
-            return self.elsewhere::<O>(at, value);
+            return Self::elsewhere::<O>(Elsewhere { view: *self, at, value });
         }
         if !T::CHECKED && self.late.is_none() {
             return self.apply::<O>(geometry.place(at), value);
@@ -114,9 +121,8 @@ where
         match self.window.within::<X>(at, geometry) {
             Some(place) => self.apply::<O>(place, value),
             None => {
-                // A copy: what a call could reach would have to stay in memory, with all that it is a part of.
-                let this = *self;
-                this.elsewhere::<O>(at, value);
+                // Copies: what a call could reach would have to stay in memory, with all that it is a part of.
+                Self::elsewhere::<O>(Elsewhere { view: *self, at, value });
             }
         }
     }
@@ -140,17 +146,18 @@ where
     #[cold]
     #[inline(never)]
     #[track_caller]
-    fn elsewhere<O: Operator<<P::Value as Element>::Scalar>>(&self, at: [i64; MAX_AXES], value: P::Value)
+    fn elsewhere<O: Operator<<P::Value as Element>::Scalar>>(update: Elsewhere<Self, P::Value>)
     where
         <P::Value as Element>::Scalar: Updated,
     {
-        let place = self.lane.place_of(at);
-        let Some(late) = self.late.filter(|_| self.window.within::<X>(at, &self.lane.handle().geometry).is_none())
+        let Elsewhere { view, at, value } = update;
+        let place = view.lane.place_of(at);
+        let Some(late) = view.late.filter(|_| view.window.within::<X>(at, &view.lane.handle().geometry).is_none())
         else {
-            return self.apply::<O>(place, value);
+            return view.apply::<O>(place, value);
         };
         // SAFETY: the function reads a value of this path, and is for the field of this slot.
-        unsafe { late.borrow_mut().push(Self::apply_late::<O>, self.slot, place, value) };
+        unsafe { late.borrow_mut().push(Self::apply_late::<O>, view.slot, place, value) };
     }
 
     /// Updates an element when no job runs any more.

@@ -1,174 +1,50 @@
-//! Small dense matrices: the singular value and polar decompositions that materials need, in 2D and 3D.
+//! Linear algebra: the decompositions of small matrices that materials need, and iterative solvers of `A x = b`.
 //!
-//! All is worked out in double precision, so that neither the smallest nor the largest matrix of single precision
-//! overflows when it is squared, and results are right to about the last bit of single precision.
+//! | method | function | for |
+//! | --- | --- | --- |
+//! | Jacobi's iteration, damped or not | [`jacobi`] | any matrix whose iteration contracts, a dominant diagonal for one |
+//! | conjugate gradients (Hestenes & Stiefel 1952) | [`conjugate_gradients`] | symmetric, positive definite matrices |
+//! | the same, preconditioned by the diagonal | [`preconditioned_conjugate_gradients`] | those whose diagonal varies |
+//!
+//! A solver knows a matrix as an [`Operator`] alone, whose product with a vector is a kernel: [`Laplacian`] holds no
+//! matrix at all, and [`DenseMatrix`], [`RowMatrix`] and [`CsrMatrix`] hold the same one in three layouts. All sums are
+//! reductions of a fixed order in double precision: residuals are the same bits for any number of threads.
+//!
+//! ```
+//! use allotrope::prelude::*;
+//! use allotrope_solvers::linear::{Laplacian, Stop, conjugate_gradients};
+//! let mut b = Field::<f64, Aos>::new([15, 15]);
+//! b.fill(1.0);
+//! let mut u = b.clone();
+//! u.fill(0.0);
+//! let report = conjugate_gradients(&Laplacian::new(), &b, &mut u, &Stop::at(1e-6)).unwrap();
+//! assert_eq!(report.iterations, 24);
+//! assert!((u.get([7, 7]) / 16.0f64.powi(2) - 0.0734458).abs() < 1e-6);
+//! ```
 
+mod conjugate_gradients;
+mod csr;
+mod decomposition;
+mod dense;
+mod entries;
+mod jacobi;
+mod laplacian;
+mod operator;
 mod polar;
+mod report;
+mod rows;
 mod svd2;
 mod svd3;
+mod vectors;
 
-use std::fmt::Debug;
-use std::ops::{Add, Mul, Sub};
-
-use allotrope::prelude::*;
-
+pub use conjugate_gradients::{conjugate_gradients, preconditioned_conjugate_gradients};
+pub use csr::CsrMatrix;
+pub use decomposition::{Matrix, Svd};
+pub use dense::DenseMatrix;
+pub use entries::{Entry, EntryError};
+pub use jacobi::jacobi;
+pub use laplacian::Laplacian;
+pub use operator::{Operator, Value, Vector};
 pub use polar::Polar;
-
-/// Factors of `F = U diag(sigma) V^T`, where `U` and `V` are rotations. The values decrease in magnitude, and only the
-/// last may be negative: it carries the sign of the determinant (Irving, Teran & Fedkiw 2004, "Invertible finite
-/// elements for robust simulation of large deformation").
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Svd<M: Matrix> {
-    /// Rotation on the left.
-    pub u: M,
-    /// Singular values.
-    pub sigma: M::Singular,
-    /// Rotation on the right, not transposed.
-    pub v: M,
-}
-
-impl<M: Matrix> Svd<M> {
-    /// The product of the factors.
-    pub fn product(&self) -> M {
-        self.u * M::from_diagonal(self.sigma) * self.v.transpose()
-    }
-}
-
-/// A square matrix, [`Mat2`] or [`Mat3`], for laws that are the same in both.
-pub trait Matrix:
-    Copy
-    + Debug
-    + PartialEq
-    + Send
-    + Sync
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Mul<f32, Output = Self>
-    + 'static
-{
-    /// As many values as there are dimensions.
-    type Singular: Copy + Debug + PartialEq + Send + Sync + AsRef<[f32]> + AsMut<[f32]> + 'static;
-
-    /// 2 or 3.
-    const DIMENSIONS: usize;
-    /// Ones on the diagonal.
-    const IDENTITY: Self;
-    /// Zeros.
-    const ZERO: Self;
-
-    /// The matrix with that diagonal.
-    fn from_diagonal(diagonal: Self::Singular) -> Self;
-
-    /// A multiple of the identity.
-    fn isotropic(scale: f32) -> Self {
-        Self::IDENTITY * scale
-    }
-
-    /// Rows and columns exchanged.
-    fn transpose(self) -> Self;
-
-    /// The volume that a unit volume is mapped to.
-    fn determinant(self) -> f32;
-
-    /// The sum of the diagonal.
-    fn trace(self) -> f32;
-
-    /// The sum of the squares of all components.
-    fn norm_squared(self) -> f32;
-
-    /// The determinant less one, to full precision where the matrix is nearly the identity: there it is small, and the
-    /// determinant itself would have lost it to rounding.
-    fn volume_change(self) -> f32;
-
-    /// Factors, never NaN where the matrix and its norm are finite.
-    fn svd(self) -> Svd<Self>;
-
-    /// A rotation and a symmetric matrix, never NaN where the matrix and its norm are finite.
-    fn polar(self) -> Polar<Self>;
-}
-
-impl Matrix for Mat2 {
-    type Singular = [f32; 2];
-
-    const DIMENSIONS: usize = 2;
-    const IDENTITY: Self = Mat2::IDENTITY;
-    const ZERO: Self = Mat2::ZERO;
-
-    fn from_diagonal(diagonal: [f32; 2]) -> Self {
-        Mat2::from_diagonal(diagonal.into())
-    }
-
-    fn transpose(self) -> Self {
-        Mat2::transpose(&self)
-    }
-
-    fn determinant(self) -> f32 {
-        Mat2::determinant(&self)
-    }
-
-    fn trace(self) -> f32 {
-        self.x_axis.x + self.y_axis.y
-    }
-
-    fn norm_squared(self) -> f32 {
-        self.x_axis.length_squared() + self.y_axis.length_squared()
-    }
-
-    fn volume_change(self) -> f32 {
-        let change = self - Mat2::IDENTITY;
-        change.trace() + Mat2::determinant(&change)
-    }
-
-    fn svd(self) -> Svd<Self> {
-        svd2::svd(self)
-    }
-
-    fn polar(self) -> Polar<Self> {
-        polar::polar2(self)
-    }
-}
-
-impl Matrix for Mat3 {
-    type Singular = [f32; 3];
-
-    const DIMENSIONS: usize = 3;
-    const IDENTITY: Self = Mat3::IDENTITY;
-    const ZERO: Self = Mat3::ZERO;
-
-    fn from_diagonal(diagonal: [f32; 3]) -> Self {
-        Mat3::from_diagonal(diagonal.into())
-    }
-
-    fn transpose(self) -> Self {
-        Mat3::transpose(&self)
-    }
-
-    fn determinant(self) -> f32 {
-        Mat3::determinant(&self)
-    }
-
-    fn trace(self) -> f32 {
-        self.x_axis.x + self.y_axis.y + self.z_axis.z
-    }
-
-    fn norm_squared(self) -> f32 {
-        self.x_axis.length_squared() + self.y_axis.length_squared() + self.z_axis.length_squared()
-    }
-
-    fn volume_change(self) -> f32 {
-        let change = self - Mat3::IDENTITY;
-        let Mat3 { x_axis: x, y_axis: y, z_axis: z } = change;
-        // The sum of the principal minors of two rows.
-        let minors = (x.x * y.y - x.y * y.x) + (y.y * z.z - y.z * z.y) + (x.x * z.z - x.z * z.x);
-        change.trace() + (minors + Mat3::determinant(&change))
-    }
-
-    fn svd(self) -> Svd<Self> {
-        svd3::svd(self)
-    }
-
-    fn polar(self) -> Polar<Self> {
-        polar::polar3(self)
-    }
-}
+pub use report::{Failure, Report, SolveError, Stop};
+pub use rows::{RowMatrix, Rows};
