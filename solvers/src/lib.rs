@@ -22,6 +22,7 @@ mod nearest;
 mod registry;
 pub mod scene;
 mod simulation;
+pub mod sph;
 mod state;
 
 pub use gate::{Finding, Gate, Watch};
