@@ -8,8 +8,9 @@ use std::time::Duration;
 use allotrope::Schedule;
 use allotrope_lab::lab::export::{gif, mp4, npz, ply, sheet, vtk};
 use allotrope_lab::lab::render::{Camera, Picture, Shading};
+use allotrope_solvers::mpm::Material;
 use allotrope_solvers::mpm::materials::{Elastic, Model};
-use allotrope_solvers::scene::{Collider, ColliderShape, Contact, Material};
+use allotrope_solvers::scene::{Collider, ColliderShape, Contact};
 use allotrope_solvers::{Array, Energy, Scene, Simulation, State, StepError, Totals, Values};
 use image::AnimationDecoder;
 use support::*;
@@ -95,6 +96,7 @@ fn arrays_come_back_from_npz() {
             };
             let (kind, same) = match &array.values {
                 Values::F32(values) => ("<f4", floats(data) == *values),
+                Values::F64(values) => ("<f8", data == values.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>()),
                 Values::U32(values) => ("<u4", wholes(data) == *values),
             };
             let text = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}");
@@ -372,7 +374,10 @@ impl Simulation for Halves {
     fn totals(&self) -> Totals {
         self.0.totals()
     }
-    fn grid_mass(&self) -> f64 {
+    fn time(&self) -> f64 {
+        self.0.time()
+    }
+    fn grid_mass(&self) -> Option<f64> {
         self.0.grid_mass()
     }
 }
@@ -381,8 +386,8 @@ impl Simulation for Halves {
 fn halves(mut scene: Scene) -> (Scene, Halves) {
     let simulation = Halves(run(&scene, 0));
     let model = Model::Corotated(Elastic { mu: 1.0, lambda: 1.0 });
-    scene.materials[0].name = "water".into();
-    scene.materials.push(Material { name: "jelly".into(), density: 1.0, model });
+    own(&mut scene).materials[0].name = "water".into();
+    own(&mut scene).materials.push(Material { name: "jelly".into(), density: 1.0, model });
     (scene, simulation)
 }
 
@@ -442,7 +447,7 @@ fn colliders_are_seen_where_they_have_moved_to() {
     let time = simulation.time();
     assert!((time - 0.02).abs() < 1e-12);
     let stands = |shape, velocity| Collider { shape, contact: Contact::Slip, velocity };
-    scene.colliders = vec![
+    own(&mut scene).colliders = vec![
         // 0.3 to the right in this time.
         stands(ColliderShape::Ball { center: [0.5, 0.8, 0.0], radius: 0.1 }, [15.0, 0.0, 0.0]),
         stands(ColliderShape::Box { from: [0.1, 0.7, 0.0], to: [0.3, 0.9, 0.0] }, [0.0; 3]),
@@ -478,9 +483,9 @@ fn colliders_in_space_hide_what_is_behind_them_and_are_hidden_before() {
         let shape = ColliderShape::Box { from, to };
         vec![Collider { shape, contact: Contact::Slip, velocity: [0.0; 3] }]
     };
-    scene.colliders = cuboid([0.1, 0.05, 0.5], [0.7, 0.9, 0.55]);
+    own(&mut scene).colliders = cuboid([0.1, 0.05, 0.5], [0.7, 0.9, 0.55]);
     assert!(fluid(&scene).0 < alone / 10, "a box in front hides the fluid: {} of {alone}", fluid(&scene).0);
-    scene.colliders = cuboid([0.3, 0.2, 0.1], [0.5, 0.3, 0.15]);
+    own(&mut scene).colliders = cuboid([0.3, 0.2, 0.1], [0.5, 0.3, 0.15]);
     assert!(fluid(&scene).0 > alone * 99 / 100, "a box behind does not: {} of {alone}", fluid(&scene).0);
     let mesh = "v 0.3 0.6 0.3\nv 0.5 0.6 0.3\nv 0.4 0.6 0.45\nv 0.4 0.8 0.35\nf 1 2 3\nf 2 1 4\nf 3 2 4\nf 1 3 4\n";
     let mesh = allotrope_solvers::mesh::read_obj(mesh.as_bytes()).unwrap().closed().unwrap();
@@ -490,7 +495,7 @@ fn colliders_in_space_hide_what_is_behind_them_and_are_hidden_before() {
         ColliderShape::HalfSpace { point: [0.1, 0.1, 0.1], normal: [0.8, 0.6, 0.0] },
     ];
     for shape in shapes {
-        scene.colliders = vec![Collider { shape: shape.clone(), contact: Contact::Slip, velocity: [0.0; 3] }];
+        own(&mut scene).colliders = vec![Collider { shape: shape.clone(), contact: Contact::Slip, velocity: [0.0; 3] }];
         let (_, picture) = fluid(&scene);
         let changed = picture.rgb.chunks(3).zip(before.rgb.chunks(3)).filter(|(a, b)| a != b).count();
         assert!((2_000..150_000).contains(&changed), "{shape:?} shows in {changed} pixels");

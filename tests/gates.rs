@@ -10,7 +10,7 @@ fn findings(name: &str, overrides: &[&str], layout: &str) -> Vec<Finding> {
     let info = mpm().scenes.iter().find(|scene| scene.name == name).unwrap();
     let overrides: Vec<String> = overrides.iter().map(|text| text.to_string()).collect();
     let scene = Scene::parse_with(info.text, name, Folder::BuiltIn, &overrides).unwrap();
-    let mut watch = info.gate.unwrap()(&scene);
+    let mut watch = info.gate.unwrap()(&scene).unwrap();
     let mut simulation = build(&scene, layout);
     watch.look(&*simulation);
     while simulation.steps() < watch.steps() {

@@ -3,6 +3,7 @@
 mod support;
 
 use allotrope::prelude::*;
+use allotrope_solvers::mpm::MpmSetup;
 use allotrope_solvers::scene::Folder;
 use allotrope_solvers::{Scene, Simulation, State, Values};
 use support::*;
@@ -12,6 +13,11 @@ fn varied(name: &str, overrides: &[&str]) -> Scene {
     let info = mpm().scenes.iter().find(|scene| scene.name == name).unwrap();
     let overrides: Vec<String> = overrides.iter().map(|text| text.to_string()).collect();
     Scene::parse_with(info.text, name, Folder::BuiltIn, &overrides).unwrap()
+}
+
+/// What a scene has beside what all scenes have.
+fn setup(scene: &Scene) -> &MpmSetup {
+    scene.setup().unwrap()
 }
 
 /// The layouts that make sense for a scene.
@@ -45,7 +51,7 @@ fn agree(scene: &Scene, what: &str, steps: u64) {
             None => first = Some(positions),
             Some(first) => {
                 let error = difference(&positions, first);
-                assert!(error < 2e-6 * scene.length, "{what}, {layout}: {error:.2e} from the first layout");
+                assert!(error < 2e-6 * setup(scene).length, "{what}, {layout}: {error:.2e} from the first layout");
             }
         }
     }
@@ -55,7 +61,7 @@ fn agree(scene: &Scene, what: &str, steps: u64) {
 fn every_scene_runs_in_every_layout_with_equal_results() {
     for info in mpm().scenes {
         let scene = mpm().scene(info.name).unwrap();
-        assert!(fit(&scene).len() >= if scene.sparse { 2 } else { 5 }, "{}", info.name);
+        assert!(fit(&scene).len() >= if setup(&scene).sparse { 2 } else { 5 }, "{}", info.name);
         agree(&scene, info.name, if scene.dimensions == 2 { 60 } else { 12 });
     }
 }
@@ -163,6 +169,7 @@ fn refuses_what_does_not_fit(simulation: &mut dyn Simulation, state: &State) {
         let mut short = state.clone();
         match &mut short.arrays[n].values {
             Values::F32(values) => drop(values.pop()),
+            Values::F64(values) => drop(values.pop()),
             Values::U32(values) => drop(values.pop()),
         }
         let error = simulation.restore(&short).unwrap_err();
@@ -217,7 +224,7 @@ fn water_runs_off_a_mesh() {
     let mut touched = 0;
     for _ in 0..12 {
         advance(&mut *water, Schedule::default(), 100);
-        assert!(deepest(&*water) < 1.5 * scene.dx(), "{} deep after {} steps", deepest(&*water), water.steps());
+        assert!(deepest(&*water) < 1.5 * setup(&scene).dx(), "{} deep after {} steps", deepest(&*water), water.steps());
         touched = touched.max(wet(&*water));
     }
     assert!(touched > 500, "{touched}");
@@ -228,23 +235,25 @@ fn memory_is_estimated_as_it_is_taken() {
     let scenes = mpm().scenes.iter().map(|info| mpm().scene(info.name).unwrap());
     let transfers = TRANSFERS.iter().map(|transfer| varied("disks", transfer));
     for scene in scenes.chain(transfers) {
-        if scene.sparse {
+        if setup(&scene).sparse {
             // How many nodes there are follows from where the particles are: within a factor.
             let mut simulation = build(&scene, "aos+hash4");
             advance(&mut *simulation, Schedule::default(), 1);
-            let (estimated, taken) = (scene.estimated_bytes(simulation.particles()) as f64, simulation.bytes() as f64);
+            let (estimated, taken) =
+                (setup(&scene).estimated_bytes(simulation.particles()) as f64, simulation.bytes() as f64);
             assert!((1.0..4.0).contains(&(estimated / taken)), "{}: {estimated}, not {taken}", scene.file);
             continue;
         }
         let simulation = build(&scene, "aos+row");
         // Beside the fields, 128 bytes a particle with which it starts.
-        let estimated = scene.estimated_bytes(simulation.particles()) as f64 - 128.0 * simulation.particles() as f64;
+        let estimated =
+            setup(&scene).estimated_bytes(simulation.particles()) as f64 - 128.0 * simulation.particles() as f64;
         let taken = simulation.bytes() as f64;
         assert!(
             (estimated / taken - 1.0).abs() < 0.02,
             "{} {:?}: {estimated}, not {taken}",
             scene.file,
-            scene.transfer
+            setup(&scene).transfer
         );
     }
 }

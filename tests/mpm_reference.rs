@@ -59,7 +59,7 @@ fn the_first_step_is_the_references_too() {
 #[test]
 fn sorting_changes_neither_order_nor_state() {
     let mut sorted = mpm88();
-    sorted.reorder = Reorder::Every(7);
+    own(&mut sorted).reorder = Reorder::Every(7);
     for layout in layouts() {
         let mut fluid = build(&sorted, layout);
         advance(&mut *fluid, Schedule::default(), 100);
@@ -74,8 +74,8 @@ fn sorting_changes_neither_order_nor_state() {
 fn taichis_moments() {
     let mut scene = mpm88();
     let at = |n: usize| [(n % 64) as f64 / 64.0 * 0.4 + 0.2, n as f64 / 4096.0 * 0.4 + 0.05, 0.0];
-    scene.bodies[0].shape = allotrope_solvers::scene::Shape::Points((0..4096).map(at).collect());
-    scene.bodies[0].velocity = [0.0, -3.0, 0.0];
+    own(&mut scene).bodies[0].shape = allotrope_solvers::scene::Shape::Points((0..4096).map(at).collect());
+    own(&mut scene).bodies[0].velocity = [0.0, -3.0, 0.0];
     for layout in layouts() {
         let mut fluid = build(&scene, layout);
         advance(&mut *fluid, Schedule::default(), 500);

@@ -1,14 +1,20 @@
 //! Checks of a scene against published numbers or closed forms.
 
-use crate::{Scene, Simulation};
+use crate::{Scene, SceneError, Simulation};
 
-/// Makes what watches a run of a scene.
-pub type Gate = fn(&Scene) -> Box<dyn Watch>;
+/// Makes what watches a run of a scene, if it is of the gate's solver.
+pub type Gate = fn(&Scene) -> Result<Box<dyn Watch>, SceneError>;
 
 /// Watches a run of a scene from its start to its end, and then says what came of it.
 pub trait Watch {
-    /// How many steps the run takes.
+    /// How many steps the run takes, at most.
     fn steps(&self) -> u64;
+
+    /// The simulated time in s at which the run ends, for steps whose size is not known before. The check fails if
+    /// [`steps`](Self::steps) do not come so far.
+    fn until(&self) -> Option<f64> {
+        None
+    }
 
     /// After how many steps [`look`](Self::look) is called again; it is called before the first step and after the last
     /// too.

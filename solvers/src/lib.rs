@@ -27,7 +27,7 @@ mod state;
 
 pub use gate::{Finding, Gate, Watch};
 pub use nearest::nearest;
-pub use registry::{Built, LayoutInfo, SceneInfo, SolverInfo, solver, solvers};
-pub use scene::{Scene, SceneError};
+pub use registry::{Built, LayoutInfo, Read, SceneInfo, SolverInfo, solver, solvers};
+pub use scene::{Scene, SceneError, Setup};
 pub use simulation::{Simulation, StepError, Totals};
 pub use state::{Array, Energy, State, Values};

@@ -1,7 +1,10 @@
 //! The one list of solvers.
 
+use std::ops::RangeInclusive;
+use std::sync::Arc;
+
 use crate::nearest::hint;
-use crate::scene::Folder;
+use crate::scene::{Basics, Folder, Keys, Setup};
 use crate::{Gate, Scene, SceneError, Simulation, mpm};
 
 /// A solver: what it offers, and how a simulation is made.
@@ -11,6 +14,12 @@ pub struct SolverInfo {
     pub name: &'static str,
     /// One line about it.
     pub about: &'static str,
+    /// How many dimensions its scenes may have, from 1 to 3.
+    pub dimensions: RangeInclusive<usize>,
+    /// The keys of its scenes beside those of all scenes.
+    pub keys: &'static [&'static str],
+    /// Reads them.
+    pub read: fn(&Keys<'_>, &Basics<'_>) -> Read,
     /// Its built-in scenes; the first is the default.
     pub scenes: &'static [SceneInfo],
     /// The layouts in which it was compiled; the first is the default.
@@ -20,6 +29,9 @@ pub struct SolverInfo {
     /// Makes the simulation of a scene in one of [`layouts`](Self::layouts).
     pub build: fn(&Scene, layout: &str) -> Built,
 }
+
+/// What a solver's scenes have beside what all scenes have, or what is wrong in it.
+pub type Read = Result<Arc<dyn Setup>, SceneError>;
 
 /// A simulation, or why its scene cannot be built.
 pub type Built = Result<Box<dyn Simulation>, SceneError>;

@@ -30,28 +30,35 @@ pub trait Simulation: Send {
     /// Steps done.
     fn steps(&self) -> u64;
 
-    /// Seconds a step.
+    /// Seconds of the last step; before the first, those that it is to take, at most.
     fn dt(&self) -> f64;
 
     /// Simulated seconds.
-    fn time(&self) -> f64 {
-        self.steps() as f64 * self.dt()
+    fn time(&self) -> f64;
+
+    /// The longest step in s that would be stable now, where it is known.
+    fn largest_dt(&self) -> Option<f64> {
+        None
     }
 
-    /// 2 or 3.
+    /// From 1 to 3.
     fn dimensions(&self) -> usize;
 
     /// Number of particles.
     fn particles(&self) -> usize;
 
-    /// Nodes along each axis.
-    fn grid_shape(&self) -> Vec<usize>;
+    /// Nodes along each axis; empty, if there is no grid.
+    fn grid_shape(&self) -> Vec<usize> {
+        Vec::new()
+    }
 
     /// Metres along each axis (zero along axes that the simulation does not have).
     fn extent(&self) -> [f64; 3];
 
     /// Metres from each border to the wall that holds the particles.
-    fn margin(&self) -> f64;
+    fn margin(&self) -> f64 {
+        0.0
+    }
 
     /// Metres between neighbouring particles at rest.
     fn spacing(&self) -> f64;
@@ -65,21 +72,37 @@ pub trait Simulation: Send {
     /// Velocities in metres a second, in the same order.
     fn velocities(&self) -> Vec<[f64; 3]>;
 
-    /// What the particles hold, for pictures and files, in the same order: `position` and `velocity` (2 or 3
-    /// components), `pressure` in Pa, `material` (its number in the scene), and whatever else the solver has.
+    /// Which particles are joined, by their numbers in the same order, such as by a spring; each pair once.
+    fn links(&self) -> Vec<[u32; 2]> {
+        Vec::new()
+    }
+
+    /// What the particles hold, for pictures and files, in the same order: `position` and `velocity` (as many components
+    /// as there are dimensions), and whatever else the solver has, such as `pressure` in Pa and `material` (its number
+    /// in the scene).
     fn particle_arrays(&self) -> Vec<Array>;
 
-    /// What the grid holds after the last step, in row-major order, the last axis fastest: `mass` in kg and `velocity`.
-    fn grid_arrays(&self) -> Vec<Array>;
+    /// What the grid holds after the last step, in row-major order, the last axis fastest: `mass` in kg and `velocity`;
+    /// empty, if there is no grid.
+    fn grid_arrays(&self) -> Vec<Array> {
+        Vec::new()
+    }
 
-    /// The names of the materials.
-    fn materials(&self) -> Vec<String>;
+    /// The names of the materials; empty, if there are none to tell apart.
+    fn materials(&self) -> Vec<String> {
+        Vec::new()
+    }
 
-    /// Of which material each particle is, in the same order.
-    fn material_of(&self) -> Vec<u32>;
+    /// Of which material each particle is, in the same order as positions.
+    fn material_of(&self) -> Vec<u32> {
+        vec![0; self.particles()]
+    }
 
-    /// Pressure in Pa (the mean of the normal stresses, compression positive), in the same order.
-    fn pressures(&self) -> Vec<f64>;
+    /// Pressure in Pa (the mean of the normal stresses, compression positive), in the same order; empty, if particles
+    /// have none.
+    fn pressures(&self) -> Vec<f64> {
+        Vec::new()
+    }
 
     /// All that the next step depends on.
     fn save(&self) -> State;
@@ -96,8 +119,10 @@ pub trait Simulation: Send {
     /// Conserved totals of the particles, summed in `f64`.
     fn totals(&self) -> Totals;
 
-    /// The mass that the last step spread over the grid, summed in `f64`.
-    fn grid_mass(&self) -> f64;
+    /// The mass that the last step spread over the grid, summed in `f64`, if there is a grid.
+    fn grid_mass(&self) -> Option<f64> {
+        None
+    }
 }
 
 /// Conserved totals of the particles.

@@ -37,6 +37,8 @@ impl Array {
 pub enum Values {
     /// Single precision.
     F32(Vec<f32>),
+    /// Double precision.
+    F64(Vec<f64>),
     /// Whole numbers.
     U32(Vec<u32>),
 }
@@ -46,6 +48,7 @@ impl Values {
     pub fn len(&self) -> usize {
         match self {
             Self::F32(values) => values.len(),
+            Self::F64(values) => values.len(),
             Self::U32(values) => values.len(),
         }
     }

@@ -3,6 +3,7 @@
 use allotrope::prelude::*;
 use allotrope::spatial::*;
 use allotrope_solvers::Scene;
+use allotrope_solvers::mpm::MpmSetup;
 use allotrope_solvers::mpm::fluid::{Mpm, Node, Point, kernels};
 use allotrope_solvers::scene::Folder;
 
@@ -31,7 +32,8 @@ where
     Aos: Layout<X>,
 {
     let scene = scene::<X>();
-    let (mpm, start) = (Mpm::<X, T>::new(&scene), scene.particles().unwrap().x);
+    let setup = scene.setup::<MpmSetup>().unwrap();
+    let (mpm, start) = (Mpm::<X, T>::new(&scene, setup), scene.particles().unwrap().x);
     let mut points = Field::<Point<X, T>, Soa>::new([start.len()]);
     for (p, x) in start.iter().enumerate() {
         let x = X::Vec::<T>::from_fn(|axis| T::from_f64(x[axis]));
@@ -39,7 +41,7 @@ where
         (v[0], v[1]) = (T::from(0.5) - x[1], x[0] - T::from(0.5));
         points.set(p, Point { x, v, c: X::Mat::<T>::zero(), j: T::ONE });
     }
-    let mut grid = Field::<Node<X, T>, Aos>::new(X::shape(|axis| scene.grid[axis]));
+    let mut grid = Field::<Node<X, T>, Aos>::new(X::shape(|axis| setup.grid[axis]));
     for _ in 0..100 {
         kernels::clear(&mut grid);
         kernels::particle_to_grid(&points, &mut grid, &mpm);

@@ -1,6 +1,7 @@
 //! Walls and colliders: what they do to a node's velocity, and what a block does on a slope.
 
 use allotrope::prelude::*;
+use allotrope_solvers::mpm::MpmSetup;
 use allotrope_solvers::mpm::materials::{Elastic, Model};
 use allotrope_solvers::mpm::obstacles::Obstacles;
 use allotrope_solvers::scene::{Collider, ColliderShape, Contact, Folder, Scene, Wall};
@@ -21,11 +22,16 @@ fn scene() -> Scene {
     Scene::parse(TEXT, "test", Folder::BuiltIn).unwrap()
 }
 
+/// What a scene has beside what all scenes have.
+fn own(scene: &mut Scene) -> &mut MpmSetup {
+    scene.setup_mut().unwrap()
+}
+
 /// What the floor makes of a velocity.
 fn floor(contact: Contact, velocity: [f64; 3], v: Vec3) -> Vec3 {
     let mut scene = scene();
-    scene.walls[1][0] = Wall { contact, velocity };
-    Obstacles::new(&scene).meet(ivec3(16, 1, 0), v)
+    own(&mut scene).walls[1][0] = Wall { contact, velocity };
+    Obstacles::new(scene.setup().unwrap()).meet(ivec3(16, 1, 0), v)
 }
 
 #[test]
@@ -49,7 +55,7 @@ fn walls_do_what_they_are_named_after() {
 
 #[test]
 fn every_side_is_a_wall_and_the_inside_is_none() {
-    let obstacles = Obstacles::new(&scene());
+    let obstacles = Obstacles::new(scene().setup().unwrap());
     let v = vec3(-1.0, -1.0, 0.0);
     assert_eq!(obstacles.meet(ivec3(2, 16, 0), v), vec3(0.0, -1.0, 0.0));
     assert_eq!(obstacles.meet(ivec3(16, 2, 0), v), vec3(-1.0, 0.0, 0.0));
@@ -69,8 +75,8 @@ fn colliders_hold_what_is_in_them_and_move() {
     ];
     for (shape, normal) in shapes {
         let mut scene = scene();
-        scene.colliders = vec![Collider { shape, contact: smooth, velocity: [0.0, 2.0, 0.0] }];
-        let mut obstacles = Obstacles::new(&scene);
+        own(&mut scene).colliders = vec![Collider { shape, contact: smooth, velocity: [0.0, 2.0, 0.0] }];
+        let mut obstacles = Obstacles::new(scene.setup().unwrap());
         let node = ivec3(16, 20, 0);
         // Still at its place, but as fast as it moves.
         assert_eq!(obstacles.meet(node, -normal), 2.0 * normal);
@@ -86,9 +92,9 @@ fn slide(degrees: f64, friction: f64) -> (f64, f64) {
     let mut scene = scene();
     let (sin, cos) = degrees.to_radians().sin_cos();
     scene.gravity = [9.8 * sin, -9.8 * cos, 0.0];
-    scene.materials[0].model = Model::Corotated(Elastic::new(2e3, 0.2));
-    scene.walls[1][0].contact = Contact::Separate { friction };
-    scene.bodies[0].shape = allotrope_solvers::scene::Shape::Box {
+    own(&mut scene).materials[0].model = Model::Corotated(Elastic::new(2e3, 0.2));
+    own(&mut scene).walls[1][0].contact = Contact::Separate { friction };
+    own(&mut scene).bodies[0].shape = allotrope_solvers::scene::Shape::Box {
         from: [0.125, 0.09375, 0.0],
         to: [0.375, 0.15625, 0.0],
         fill: allotrope_solvers::scene::Fill::Lattice { jitter: 0.0, seed: 0 },

@@ -4,9 +4,12 @@
 mod keys;
 #[path = "scenes/refused.rs"]
 mod refused;
+#[path = "scenes/setups.rs"]
+mod setups;
 #[path = "scenes/sources.rs"]
 mod sources;
 
+use allotrope_solvers::mpm::MpmSetup;
 use allotrope_solvers::scene::{Folder, Reorder};
 use allotrope_solvers::{Scene, solver};
 
@@ -40,6 +43,11 @@ fn parse(text: &str) -> Result<Scene, String> {
     Scene::parse(text, "test.toml", Folder::Path(env!("CARGO_TARGET_TMPDIR").into())).map_err(|error| error.to_string())
 }
 
+/// What a scene has beside what all scenes have.
+fn own(scene: &Scene) -> &MpmSetup {
+    scene.setup().unwrap()
+}
+
 /// The fault of the good scene in which a piece is replaced: on reading, on filling or on building.
 fn fault(piece: &str, by: &str) -> String {
     assert!(GOOD.contains(piece), "{piece}");
@@ -57,8 +65,8 @@ fn fault(piece: &str, by: &str) -> String {
 #[test]
 fn a_scene_is_read() {
     let scene = parse(GOOD).unwrap();
-    assert_eq!((scene.grid, scene.dimensions, scene.dx()), ([64, 32, 1], 2, 2.0 / 64.0));
-    assert_eq!((scene.spacing, scene.wall, scene.reorder, scene.steps), (0.5, 3, Reorder::Never, 1000));
+    assert_eq!((own(&scene).grid, scene.dimensions, own(&scene).dx()), ([64, 32, 1], 2, 2.0 / 64.0));
+    assert_eq!((own(&scene).spacing, own(&scene).wall, scene.reorder(), scene.steps), (0.5, 3, Reorder::Never, 1000));
     assert_eq!(scene.extent(), [2.0, 1.0, 0.0]);
     let particles = scene.particles().unwrap();
     // 0.5 x 0.25 at a spacing of 1/64, and a disk of radius 0.2 at the same.
@@ -73,7 +81,7 @@ fn a_scene_is_read() {
 
 #[test]
 fn particles_are_sorted_when_the_scene_says() {
-    let reorder = |value: &str| parse(&format!("reorder = {value}\n{GOOD}")).map(|scene| scene.reorder);
+    let reorder = |value: &str| parse(&format!("reorder = {value}\n{GOOD}")).map(|scene| scene.reorder());
     assert_eq!(reorder("0"), Ok(Reorder::Never));
     assert_eq!(reorder("32"), Ok(Reorder::Every(32)));
     assert_eq!(reorder("\"auto\""), Ok(Reorder::Decayed));
@@ -109,23 +117,23 @@ fn built_in_scenes_are_as_described() {
         assert_eq!(scene.about, info.about);
     }
     let mpm88 = mpm.scene("mpm88").unwrap();
-    assert_eq!((mpm88.grid, mpm88.particles().unwrap().x.len()), ([128, 128, 1], 8192));
-    assert_eq!(mpm88.particle_volume(), (0.5f64 / 128.0).powi(2));
+    assert_eq!((own(&mpm88).grid, mpm88.particles().unwrap().x.len()), ([128, 128, 1], 8192));
+    assert_eq!(own(&mpm88).particle_volume(), (0.5f64 / 128.0).powi(2));
     let bunny = mpm.scene("bunny").unwrap();
     let count = bunny.particles().unwrap().x.len() as f64;
     let volume = 194.288 * 0.05f64.powi(3);
-    assert!((count * bunny.particle_volume() / volume - 1.0).abs() < 0.01);
+    assert!((count * own(&bunny).particle_volume() / volume - 1.0).abs() < 0.01);
 }
 
 #[test]
 fn other_sizes_keep_the_scene() {
     let mpm88 = || solver("mpm").unwrap().scene("mpm88").unwrap();
     let scene = mpm88().with_grid(256).unwrap().with_particles(10_001).unwrap();
-    assert_eq!((scene.grid, scene.dt), ([256, 256, 1], 1e-4));
+    assert_eq!((own(&scene).grid, scene.dt), ([256, 256, 1], 1e-4));
     assert_eq!(scene.particles().unwrap().x.len(), 10_001);
     let lattice = parse(GOOD).unwrap().with_particles(2000).unwrap();
     assert!(lattice.particles().unwrap().x.len().abs_diff(2000) < 60);
-    assert_eq!(parse(GOOD).unwrap().with_grid(128).unwrap().grid, [128, 64, 1]);
+    assert_eq!(own(&parse(GOOD).unwrap().with_grid(128).unwrap()).grid, [128, 64, 1]);
 
     let error = |scene: Result<Scene, _>| {
         scene.map(|_| ()).map_err(|error: allotrope_solvers::SceneError| error.to_string()).unwrap_err()

@@ -5,7 +5,8 @@ use allotrope_solvers::Scene;
 use allotrope_solvers::mpm::continuum::{
     AffinePoint, ChangingNode, Node, PlainPoint, PolynomialPoint, Transfers, affine, plain, polynomial, quadratic,
 };
-use allotrope_solvers::scene::{Folder, Forces, Scheme, Spline, Transfer};
+use allotrope_solvers::mpm::{Forces, MpmSetup, Scheme, Spline, Transfer};
+use allotrope_solvers::scene::Folder;
 
 const TEXT: &str = r#"
 version = 1
@@ -22,14 +23,15 @@ fn scene(dimensions: usize, transfer: Transfer) -> Scene {
     let text = TEXT.replace("dimensions = 2", &format!("dimensions = {dimensions}"));
     let text = if dimensions == 3 { text.replace("[0.5, 0.5]", "[0.5, 0.5, 0.5]") } else { text };
     let mut scene = Scene::parse(&text, "test", Folder::BuiltIn).unwrap();
-    scene.transfer = transfer;
+    scene.setup_mut::<MpmSetup>().unwrap().transfer = transfer;
     scene
 }
 
 /// The constants of a transfer in which nothing moves and nothing is deformed.
 fn still(scheme: Scheme, spline: Spline) -> Transfers<Ij> {
     let forces = if spline == Spline::Linear { Forces::Gradients } else { Forces::LeastSquares };
-    let mut mpm = Transfers::<Ij>::new(&scene(2, Transfer { scheme, spline, forces }));
+    let scene = scene(2, Transfer { scheme, spline, forces });
+    let mut mpm = Transfers::<Ij>::new(&scene, scene.setup().unwrap());
     (mpm.constants.dt, mpm.constants.impulse) = (0.0, 0.0);
     mpm
 }
@@ -68,7 +70,7 @@ fn pic_loses_angular_momentum_as_published() {
         points.set(p, PlainPoint { x, v: rotation(x), mass: 1.0, ..Default::default() });
     }
     let mut grid = Field::<ChangingNode<Ij>, Aos>::new([32, 32]);
-    let obstacles = allotrope_solvers::mpm::obstacles::Obstacles::new(&scene(2, Transfer::default()));
+    let obstacles = allotrope_solvers::mpm::obstacles::Obstacles::new(scene(2, Transfer::default()).setup().unwrap());
     let of = |points: &Field<PlainPoint<Ij>, Soa>| kept(points.iter().map(|point| (point.x, point.v, Mat2::ZERO)));
     let start = of(&points);
     // Jiang et al. 2017, the transfers alone: numbers of an independent program in double precision.
@@ -95,7 +97,7 @@ fn affine_trip(
     mpm: &Transfers<Ij>,
     usual: bool,
 ) {
-    let obstacles = allotrope_solvers::mpm::obstacles::Obstacles::new(&scene(2, Transfer::default()));
+    let obstacles = allotrope_solvers::mpm::obstacles::Obstacles::new(scene(2, Transfer::default()).setup().unwrap());
     affine::clear(grid);
     if usual {
         quadratic::particle_to_grid(points, grid, mpm);
@@ -187,7 +189,8 @@ fn polypic_with_all_modes_is_the_identity_on_the_grid() {
 #[test]
 fn polypic_in_space_with_all_modes_is_the_identity_too() {
     let transfer = Transfer { scheme: Scheme::PolyPic { modes: 27 }, ..Transfer::default() };
-    let mut mpm = Transfers::<Ijk>::new(&scene(3, transfer));
+    let scene = scene(3, transfer);
+    let mut mpm = Transfers::<Ijk>::new(&scene, scene.setup().unwrap());
     (mpm.constants.dt, mpm.constants.impulse) = (0.0, 0.0);
     let mut before = Field::<Node<Ijk>, Aos>::new([32, 32, 32]);
     for i in 0..32i32 {

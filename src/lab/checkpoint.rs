@@ -42,6 +42,9 @@ pub struct Header {
     pub steps_done: u64,
     /// Frames written.
     pub frames_done: u64,
+    /// Simulated seconds at each of them.
+    #[serde(default)]
+    pub frame_times: Vec<f64>,
     /// What was asked for.
     pub plan: Planned,
 }

@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use allotrope_solvers::mpm::largest_step;
 use allotrope_solvers::{Scene, SolverInfo};
 
 use super::errors::{self, LabError};
@@ -45,21 +44,26 @@ fn about(file: &Path) -> Result<String, LabError> {
     Ok(format!("{}: {}, {layouts}\n", file.display(), numbers(&scene, solver, first)?))
 }
 
+/// How many particles there are, of what, and how many nodes, if there is a grid.
+pub(super) fn size(particles: usize, of: &str, grid: &[usize]) -> String {
+    let nodes: Vec<String> = grid.iter().map(usize::to_string).collect();
+    let nodes = if nodes.is_empty() { String::new() } else { format!(", {} nodes", nodes.join(" x ")) };
+    format!("{particles} particles{of}{nodes}")
+}
+
 /// What a scene amounts to.
 fn numbers(scene: &Scene, solver: &SolverInfo, layout: &str) -> Result<String, LabError> {
     let simulation = (solver.build)(scene, layout)?;
-    let speed = |v: &[f64; 3]| v.iter().map(|component| component * component).sum::<f64>().sqrt();
-    let fastest = simulation.velocities().iter().map(speed).fold(0.0, f64::max);
-    let nodes: Vec<String> = simulation.grid_shape().iter().map(usize::to_string).collect();
-    let materials = simulation.materials();
+    let materials = match &simulation.materials()[..] {
+        [] => String::new(),
+        names => format!(" of {}", names.join(", ")),
+    };
+    let most = simulation.largest_dt().map_or(String::new(), |most| format!(" of at most {most:.2e}"));
     Ok(format!(
-        "{}D, {} particles of {}, {} nodes, {:.1} MiB, dt {:e} of at most {:.2e}",
+        "{}D, {}, {:.1} MiB, dt {:e}{most}",
         scene.dimensions,
-        simulation.particles(),
-        materials.join(", "),
-        nodes.join(" x "),
+        size(simulation.particles(), &materials, &simulation.grid_shape()),
         simulation.bytes() as f64 / f64::from(1 << 20),
         scene.dt,
-        largest_step(scene, fastest)
     ))
 }

@@ -5,6 +5,7 @@
 use std::io::Read;
 
 use allotrope::prelude::*;
+use allotrope_solvers::mpm::MpmSetup;
 use allotrope_solvers::scene::{Folder, Shape};
 use allotrope_solvers::{Scene, Simulation, SolverInfo, solver};
 
@@ -39,8 +40,13 @@ pub(crate) fn mpm() -> &'static SolverInfo {
 /// The scene `mpm88` with the start positions of the reference data.
 pub(crate) fn mpm88() -> Scene {
     let mut scene = mpm().scene("mpm88").unwrap();
-    scene.bodies[0].shape = Shape::Points(reference_positions("x0"));
+    own(&mut scene).bodies[0].shape = Shape::Points(reference_positions("x0"));
     scene
+}
+
+/// What a scene has beside what all scenes have.
+pub(crate) fn own(scene: &mut Scene) -> &mut MpmSetup {
+    scene.setup_mut().unwrap()
 }
 
 pub(crate) fn scene(text: &str) -> Scene {

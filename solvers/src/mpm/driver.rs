@@ -4,7 +4,9 @@ use std::time::{Duration, Instant};
 
 use super::medium::{Medium, Particle};
 use super::order::Order;
-use crate::scene::{Particles, Reorder, Scene, Spline, place};
+use super::setup::{MpmSetup, Spline};
+use super::stability::fastest;
+use crate::scene::{Particles, Reorder, Scene, Setup, place};
 use crate::{Array, Energy, SceneError, Simulation, State, StepError, Totals};
 
 // Places in `kernel_names`; sorting comes last.
@@ -17,6 +19,7 @@ const MATERIAL: usize = 3;
 pub(super) struct Driver<M: Medium> {
     medium: M,
     scene: Scene,
+    setup: MpmSetup,
     /// For each place in memory, which particle of the scene lies there.
     identity: Vec<u32>,
     order: Order,
@@ -24,15 +27,15 @@ pub(super) struct Driver<M: Medium> {
 }
 
 impl<M: Medium> Driver<M> {
-    pub(super) fn new(scene: &Scene, particles: &Particles) -> Result<Self, SceneError> {
-        let medium = M::new(scene, particles).map_err(|fault| SceneError::memory(&*scene.file, fault))?;
+    pub(super) fn new(scene: &Scene, setup: &MpmSetup, particles: &Particles) -> Result<Self, SceneError> {
+        let medium = M::new(scene, setup, particles).map_err(|fault| SceneError::memory(&*scene.file, fault))?;
         let identity = (0..particles.x.len() as u32).collect();
-        Ok(Self { medium, scene: scene.clone(), identity, order: Order::default(), steps: 0 })
+        Ok(Self { medium, scene: scene.clone(), setup: setup.clone(), identity, order: Order::default(), steps: 0 })
     }
 
     /// Whether the particles are to be sorted before the next step.
     fn is_sorted_now(&mut self) -> bool {
-        match self.scene.reorder {
+        match self.setup.reorder {
             Reorder::Never => false,
             Reorder::Every(steps) => self.steps.is_multiple_of(steps),
             Reorder::Decayed => self.order.has_decayed(self.steps, self.medium.len(), |place| self.medium.cell(place)),
@@ -42,7 +45,7 @@ impl<M: Medium> Driver<M> {
     fn sort(&mut self) {
         let order = self.medium.reorder();
         self.identity = order.old_places().iter().map(|&old| self.identity[old as usize]).collect();
-        if self.scene.reorder == Reorder::Decayed {
+        if self.setup.reorder == Reorder::Decayed {
             self.order.renew(self.medium.len(), |place| self.medium.cell(place));
         }
     }
@@ -53,7 +56,7 @@ impl<M: Medium> Driver<M> {
 
     /// The mass of a particle in kg.
     fn mass(&self, particle: &Particle) -> f64 {
-        self.scene.particle_volume() * self.scene.materials[particle.material as usize].density
+        self.setup.particle_volume() * self.setup.materials[particle.material as usize].density
     }
 
     fn in_given_order<T: Clone + Default>(&self, value: impl Fn(Particle) -> T) -> Vec<T> {
@@ -67,7 +70,7 @@ impl<M: Medium> Driver<M> {
     /// Why the step that was just done is meaningless: the first particle, in the order given, that is not finite or
     /// too fast.
     fn broken(&self, count: u32) -> StepError {
-        let fastest = self.scene.dx() / self.scene.dt;
+        let fastest = self.setup.dx() / self.scene.dt;
         let speed = |v: [f64; 3]| v.iter().map(|component| component * component).sum::<f64>().sqrt();
         let sound = |particle: &Particle| {
             particle.x.iter().all(|x| x.is_finite()) && speed(particle.v) <= fastest * (1.0 - 1e-6)
@@ -75,7 +78,7 @@ impl<M: Medium> Driver<M> {
         let particles = self.in_given_order(|particle| particle);
         let first = particles.iter().position(|particle| !sound(particle)).unwrap_or(0);
         let Particle { x, v, material, .. } = particles[first];
-        let material = &self.scene.materials[material as usize].name;
+        let material = &self.setup.materials[material as usize].name;
         let at = place(x, self.scene.dimensions);
         let what = if x.iter().chain(&v).all(|component| component.is_finite()) {
             format!(
@@ -95,7 +98,7 @@ impl<M: Medium> Driver<M> {
 
 impl<M: Medium> Simulation for Driver<M> {
     fn kernel_names(&self) -> &'static [&'static str] {
-        match (M::DEFORMS, self.scene.reorder != Reorder::Never) {
+        match (M::DEFORMS, self.setup.reorder != Reorder::Never) {
             (false, false) => &["scatter", "grid", "gather"],
             (false, true) => &["scatter", "grid", "gather", "sort"],
             (true, false) => &["scatter", "grid", "gather", "material"],
@@ -113,7 +116,7 @@ impl<M: Medium> Simulation for Driver<M> {
         if self.is_sorted_now() {
             self.sort();
         }
-        if self.scene.reorder != Reorder::Never {
+        if self.setup.reorder != Reorder::Never {
             lap(sort);
         }
         self.medium.clear();
@@ -142,6 +145,14 @@ impl<M: Medium> Simulation for Driver<M> {
         self.scene.dt
     }
 
+    fn time(&self) -> f64 {
+        self.steps as f64 * self.scene.dt
+    }
+
+    fn largest_dt(&self) -> Option<f64> {
+        Some(self.setup.largest_step(fastest(&self.velocities())))
+    }
+
     fn dimensions(&self) -> usize {
         self.scene.dimensions
     }
@@ -151,20 +162,20 @@ impl<M: Medium> Simulation for Driver<M> {
     }
 
     fn grid_shape(&self) -> Vec<usize> {
-        self.scene.grid[..self.scene.dimensions].to_vec()
+        self.setup.grid[..self.scene.dimensions].to_vec()
     }
 
     fn extent(&self) -> [f64; 3] {
-        self.scene.extent()
+        self.setup.extent()
     }
 
     /// A particle comes to rest where all nodes around it belong to the wall.
     fn margin(&self) -> f64 {
-        (self.scene.wall as f64 - 0.5 * self.scene.transfer.spline.width() as f64) * self.scene.dx()
+        (self.setup.wall as f64 - 0.5 * self.setup.transfer.spline.width() as f64) * self.setup.dx()
     }
 
     fn spacing(&self) -> f64 {
-        self.scene.spacing * self.scene.dx()
+        self.setup.spacing * self.setup.dx()
     }
 
     fn bytes(&self) -> usize {
@@ -201,7 +212,7 @@ impl<M: Medium> Simulation for Driver<M> {
     }
 
     fn materials(&self) -> Vec<String> {
-        self.scene.materials.iter().map(|material| material.name.clone()).collect()
+        self.setup.materials.iter().map(|material| material.name.clone()).collect()
     }
 
     fn material_of(&self) -> Vec<u32> {
@@ -238,7 +249,7 @@ impl<M: Medium> Simulation for Driver<M> {
         let mut energy = Energy::default();
         for particle in (0..self.medium.len()).map(|place| self.particle(place)) {
             energy.kinetic += 0.5 * self.mass(&particle) * particle.v.iter().map(|v| v * v).sum::<f64>();
-            energy.elastic += self.scene.particle_volume() * particle.elastic;
+            energy.elastic += self.setup.particle_volume() * particle.elastic;
         }
         energy
     }
@@ -246,10 +257,10 @@ impl<M: Medium> Simulation for Driver<M> {
     /// The affine part of the angular momentum is `m dx^2 / 4` times twice the antisymmetric part of the gradient
     /// (quadratic splines; a third for cubic ones; Jiang et al. 2017, "An angular momentum conserving affine-particle-in-cell method").
     fn totals(&self) -> Totals {
-        let moment = match self.scene.transfer.spline {
+        let moment = match self.setup.transfer.spline {
             Spline::Linear => 0.0,
-            Spline::Quadratic => self.scene.dx().powi(2) / 4.0,
-            Spline::Cubic => self.scene.dx().powi(2) / 3.0,
+            Spline::Quadratic => self.setup.dx().powi(2) / 4.0,
+            Spline::Cubic => self.setup.dx().powi(2) / 3.0,
         };
         let mut totals = Totals { mass: 0.0, momentum: [0.0; 3], angular_momentum: [0.0; 3] };
         for place in 0..self.medium.len() {
@@ -267,7 +278,7 @@ impl<M: Medium> Simulation for Driver<M> {
         totals
     }
 
-    fn grid_mass(&self) -> f64 {
-        self.medium.grid_mass()
+    fn grid_mass(&self) -> Option<f64> {
+        Some(self.medium.grid_mass())
     }
 }

@@ -4,22 +4,22 @@ use allotrope::ShapeError;
 use allotrope::prelude::*;
 use allotrope::spatial::*;
 
-use crate::scene::Scene;
+use super::MpmSetup;
 
 /// The grid of a scene: of its extents, or without bounds where the layout has none.
 ///
 /// # Errors
 /// If memory is refused.
-pub(super) fn make<R: Record, G: Layout<X>, X: Spatial>(scene: &Scene) -> Result<Field<R, G, X>, String> {
+pub(super) fn make<R: Record, G: Layout<X>, X: Spatial>(setup: &MpmSetup) -> Result<Field<R, G, X>, String> {
     if G::UNBOUNDED {
         return Ok(Field::unbounded());
     }
-    Field::<R, G>::try_new(X::shape(|axis| scene.grid[axis])).map_err(|error: ShapeError| error.to_string())
+    Field::<R, G>::try_new(X::shape(|axis| setup.grid[axis])).map_err(|error: ShapeError| error.to_string())
 }
 
 /// Nodes along three axes.
-pub(super) fn shape(scene: &Scene) -> [usize; 3] {
-    std::array::from_fn(|axis| if axis < scene.dimensions { scene.grid[axis] } else { 1 })
+pub(super) fn shape(setup: &MpmSetup) -> [usize; 3] {
+    std::array::from_fn(|axis| if axis < setup.dimensions { setup.grid[axis] } else { 1 })
 }
 
 /// All nodes of the scene, in row-major order, whatever the layout.

@@ -10,8 +10,9 @@ use super::driver::Driver;
 use super::fluid::Fluid;
 use super::materials::Model;
 use super::medium::Medium;
+use super::setup::{Material, MpmSetup, Scheme, Transfer};
 use super::stability;
-use crate::scene::{Material, Particles, Scheme, Transfer, Wall};
+use crate::scene::{Particles, Wall};
 use crate::{Built, LayoutInfo, Scene, SceneError};
 
 /// A layout of particles, whatever their record.
@@ -126,12 +127,12 @@ layout_pairs! {
 }
 
 /// Whether a scene is a fluid alone, between walls without friction, in the usual transfer.
-fn is_fluid(scene: &Scene) -> bool {
-    let fluid = matches!(&*scene.materials, [Material { model: Model::Fluid { .. }, .. }]);
+fn is_fluid(setup: &MpmSetup) -> bool {
+    let fluid = matches!(&*setup.materials, [Material { model: Model::Fluid { .. }, .. }]);
     fluid
-        && scene.transfer == Transfer::default()
-        && scene.colliders.is_empty()
-        && scene.walls.iter().flatten().all(|wall| *wall == Wall::default())
+        && setup.transfer == Transfer::default()
+        && setup.colliders.is_empty()
+        && setup.walls.iter().flatten().all(|wall| *wall == Wall::default())
 }
 
 /// Whether the memory of a layout's grid follows the particles.
@@ -141,12 +142,13 @@ fn is_sparse(layout: &str) -> bool {
 
 /// Why a scene makes no sense in a layout, if it does not.
 pub(super) fn unfit(scene: &Scene, layout: &str) -> Option<&'static str> {
-    if scene.sparse && !is_sparse(layout) {
+    let Ok(setup) = scene.setup::<MpmSetup>() else { return Some("it is a scene of another solver") };
+    if setup.sparse && !is_sparse(layout) {
         return Some(
             "its domain is larger than a dense grid can be: take a layout with a sparse one, such as `aos+hash4`",
         );
     }
-    (layout.starts_with("hot+") && is_fluid(scene))
+    (layout.starts_with("hot+") && is_fluid(setup))
         .then_some("every member of a fluid's particles is used by both transfers, so that none can lie apart")
 }
 
@@ -155,30 +157,31 @@ where
     P: OfPoints,
     G: Layout<Ij> + Layout<Ijk> + 'static,
 {
+    let setup = scene.setup::<MpmSetup>()?;
     let particles = scene.particles()?;
-    stability::check(scene, &particles)?;
+    stability::check(scene, setup, &particles)?;
     match scene.dimensions {
-        2 => in_dimensions::<Ij, P, G>(scene, &particles),
-        _ => in_dimensions::<Ijk, P, G>(scene, &particles),
+        2 => in_dimensions::<Ij, P, G>(scene, setup, &particles),
+        _ => in_dimensions::<Ijk, P, G>(scene, setup, &particles),
     }
 }
 
-fn in_dimensions<X, P, G>(scene: &Scene, particles: &Particles) -> Built
+fn in_dimensions<X, P, G>(scene: &Scene, setup: &MpmSetup, particles: &Particles) -> Built
 where
     X: Dimensions,
     P: OfPoints,
     G: Layout<X> + 'static,
 {
-    if is_fluid(scene) {
-        return boxed::<Fluid<X, P::Fluid, G>>(scene, particles);
+    if is_fluid(setup) {
+        return boxed::<Fluid<X, P::Fluid, G>>(scene, setup, particles);
     }
-    match scene.transfer.scheme {
-        Scheme::Apic => boxed::<Continuum<X, Affine, P::Affine<X>, G>>(scene, particles),
-        Scheme::Pic | Scheme::Flip { .. } => boxed::<Continuum<X, Plain, P::Plain<X>, G>>(scene, particles),
-        Scheme::PolyPic { .. } => boxed::<Continuum<X, Polynomial, P::Polynomial<X>, G>>(scene, particles),
+    match setup.transfer.scheme {
+        Scheme::Apic => boxed::<Continuum<X, Affine, P::Affine<X>, G>>(scene, setup, particles),
+        Scheme::Pic | Scheme::Flip { .. } => boxed::<Continuum<X, Plain, P::Plain<X>, G>>(scene, setup, particles),
+        Scheme::PolyPic { .. } => boxed::<Continuum<X, Polynomial, P::Polynomial<X>, G>>(scene, setup, particles),
     }
 }
 
-fn boxed<M: Medium + 'static>(scene: &Scene, particles: &Particles) -> Built {
-    Ok(Box::new(Driver::<M>::new(scene, particles)?))
+fn boxed<M: Medium + 'static>(scene: &Scene, setup: &MpmSetup, particles: &Particles) -> Built {
+    Ok(Box::new(Driver::<M>::new(scene, setup, particles)?))
 }

@@ -3,6 +3,7 @@
 use allotrope::Permutation;
 use allotrope::prelude::*;
 
+use super::MpmSetup;
 use crate::scene::{Particles, Scene};
 use crate::{Array, State};
 
@@ -13,7 +14,7 @@ pub(super) trait Medium: Send + Sized {
 
     /// # Errors
     /// If memory is refused.
-    fn new(scene: &Scene, particles: &Particles) -> Result<Self, String>;
+    fn new(scene: &Scene, setup: &MpmSetup, particles: &Particles) -> Result<Self, String>;
 
     /// Empties the grid.
     fn clear(&mut self);

@@ -34,16 +34,20 @@ mod medium;
 pub mod obstacles;
 pub mod order;
 mod scenes;
+mod setup;
 mod stability;
 
 use crate::SolverInfo;
 
 pub use medium::block_major;
-pub use stability::largest_step;
+pub use setup::{Forces, Material, MpmSetup, Scheme, Spline, Transfer};
 
 pub(crate) const SOLVER: SolverInfo = SolverInfo {
     name: "mpm",
     about: "the material point method for fluids, elastic solids, snow and sand in 2D and 3D",
+    dimensions: 2..=3,
+    keys: setup::KEYS,
+    read: setup::read,
     scenes: scenes::SCENES,
     layouts: layouts::LAYOUTS,
     unfit: layouts::unfit,

@@ -2,7 +2,7 @@
 
 use allotrope::prelude::*;
 
-use crate::Scene;
+use super::MpmSetup;
 use crate::mesh::SignedDistance;
 use crate::scene::{Collider, ColliderShape, Contact, Wall};
 
@@ -48,15 +48,15 @@ fn single(v: [f64; 3]) -> Vec3 {
 
 impl Obstacles {
     /// The walls and colliders of a scene at its start.
-    pub fn new(scene: &Scene) -> Self {
+    pub fn new(setup: &MpmSetup) -> Self {
         let surface = |wall: Wall| Surface { contact: wall.contact, velocity: single(wall.velocity) };
         Self {
-            dx: scene.dx() as f32,
-            wall: scene.wall as i32,
-            inner: scene.grid.map(|nodes| nodes as i32 - scene.wall as i32),
-            dimensions: scene.dimensions,
-            sides: scene.walls.map(|sides| sides.map(surface)),
-            bodies: scene.colliders.iter().map(|collider| Body::new(collider, scene)).collect(),
+            dx: setup.dx() as f32,
+            wall: setup.wall as i32,
+            inner: setup.grid.map(|nodes| nodes as i32 - setup.wall as i32),
+            dimensions: setup.dimensions,
+            sides: setup.walls.map(|sides| sides.map(surface)),
+            bodies: setup.colliders.iter().map(|collider| Body::new(collider, setup)).collect(),
         }
     }
 
@@ -106,7 +106,7 @@ impl Surface {
 }
 
 impl Body {
-    fn new(collider: &Collider, scene: &Scene) -> Self {
+    fn new(collider: &Collider, setup: &MpmSetup) -> Self {
         let shape = match &collider.shape {
             ColliderShape::Ball { center, radius } => Shape::Ball { center: single(*center), radius: *radius as f32 },
             ColliderShape::Box { from, to } => {
@@ -116,7 +116,7 @@ impl Body {
             ColliderShape::HalfSpace { point, normal } => {
                 Shape::HalfSpace { point: single(*point), normal: single(*normal) }
             }
-            ColliderShape::Mesh(mesh) => Shape::Mesh(SignedDistance::new(mesh, 0.5 * scene.dx())),
+            ColliderShape::Mesh(mesh) => Shape::Mesh(SignedDistance::new(mesh, 0.5 * setup.dx())),
         };
         let surface = Surface { contact: collider.contact, velocity: single(collider.velocity) };
         Self { shape, surface, moved: Vec3::ZERO }

@@ -5,8 +5,9 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 
 use super::keys::Keys;
 use super::region::{self, MESH};
-use super::{Folder, Material, Particles, SceneError, material};
+use super::{Folder, Particles, SceneError};
 use crate::mesh::ClosedMesh;
+use crate::nearest::hint;
 
 /// A body of fluid.
 #[derive(Clone, Debug)]
@@ -82,11 +83,12 @@ const SHAPES: &[(&str, &[&str])] = &[
 ];
 
 impl Body {
-    /// Reads a table of `[[body]]`, the keys of which are not checked yet. `seed` is for one that has none of its own.
-    pub(super) fn read(
+    /// Reads a table of `[[body]]`, the keys of which are not checked yet. `materials` are the names of those that it may
+    /// be of, `seed` is for one that has none of its own.
+    pub(crate) fn read(
         keys: &Keys<'_>,
         dimensions: usize,
-        materials: &[Material],
+        materials: &[&str],
         seed: u64,
         folder: &Folder,
     ) -> Result<Self, SceneError> {
@@ -104,14 +106,14 @@ impl Body {
         };
         Ok(Self {
             shape,
-            material: material::index(keys, materials)?,
+            material: material_index(keys, materials)?,
             velocity: keys.vector("velocity", dimensions)?.unwrap_or_default(),
             spin: read_spin(keys, dimensions)?,
         })
     }
 
     /// Gives the positions of this body their velocities, and appends them.
-    pub(super) fn set_off(&self, positions: Vec<[f64; 3]>, particles: &mut Particles) {
+    pub(crate) fn set_off(&self, positions: Vec<[f64; 3]>, particles: &mut Particles) {
         let [a, b, c] = self.spin;
         let gradient = [[0.0, -c, b], [c, 0.0, -a], [-b, a, 0.0]];
         let n = positions.len() as f64;
@@ -129,7 +131,7 @@ impl Body {
 
 impl Shape {
     /// Volume in m^3 (in 2D, m^2); of given points, zero.
-    pub(super) fn volume(&self, dimensions: usize) -> f64 {
+    pub(crate) fn volume(&self, dimensions: usize) -> f64 {
         match self {
             Self::Box { from, to, .. } => (0..dimensions).map(|axis| to[axis] - from[axis]).product(),
             Self::Ball { radius, .. } if dimensions == 2 => std::f64::consts::PI * radius.powi(2),
@@ -140,7 +142,7 @@ impl Shape {
     }
 
     /// About how many particles fill the shape at this spacing.
-    pub(super) fn estimate(&self, spacing: f64, dimensions: usize) -> f64 {
+    pub(crate) fn estimate(&self, spacing: f64, dimensions: usize) -> f64 {
         match self {
             Self::Box { fill: Fill::Random { particles, .. }, .. } => *particles as f64,
             Self::Points(positions) => positions.len() as f64,
@@ -149,7 +151,7 @@ impl Shape {
     }
 
     /// The positions that fill the shape at this spacing; if they are more than `room`, the fault.
-    pub(super) fn fill(&self, spacing: f64, dimensions: usize, room: usize) -> Result<Vec<[f64; 3]>, String> {
+    pub(crate) fn fill(&self, spacing: f64, dimensions: usize, room: usize) -> Result<Vec<[f64; 3]>, String> {
         let estimate = self.estimate(spacing, dimensions);
         if estimate > room as f64 {
             return Err(format!(
@@ -230,6 +232,14 @@ fn aligned(from: [f64; 3], to: [f64; 3], spacing: f64, dimensions: usize) -> Vec
     let [i, j, k] = &coordinates;
     let columns = i.iter().flat_map(|&x| j.iter().map(move |&y| (x, y)));
     columns.flat_map(|(x, y)| k.iter().map(move |&z| [x, y, z])).collect()
+}
+
+/// Which of the materials a body asks for; the first, if it asks for none.
+fn material_index(body: &Keys<'_>, materials: &[&str]) -> Result<usize, SceneError> {
+    let Some(name) = body.text("material")? else { return Ok(0) };
+    materials.iter().position(|material| *material == name).ok_or_else(|| {
+        body.fault("material", format!("is not the name of a material{}", hint(name, materials.iter().copied())))
+    })
 }
 
 fn read_fill(keys: &Keys<'_>, seed: u64) -> Result<Fill, SceneError> {

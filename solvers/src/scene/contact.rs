@@ -81,7 +81,7 @@ pub enum ColliderShape {
 
 const SURFACE: &[&str] = &["contact", "friction", "velocity"];
 
-pub(super) const WALLS: &[&str] =
+pub(crate) const WALLS: &[&str] =
     &["contact", "friction", "velocity", "left", "right", "floor", "ceiling", "back", "front"];
 
 /// What each shape of a collider takes beside `shape` and what its surface does.
@@ -126,7 +126,7 @@ impl Wall {
 }
 
 /// Reads a table `[walls]`, in which the tables of single sides overrule what is said of all.
-pub(super) fn read_walls(keys: &Keys<'_>, dimensions: usize) -> Result<Walls, SceneError> {
+pub(crate) fn read_walls(keys: &Keys<'_>, dimensions: usize) -> Result<Walls, SceneError> {
     let all = Wall::read(keys, dimensions, Wall::default())?;
     let mut walls = [[all; 2]; 3];
     for (axis, names) in SIDES.iter().enumerate() {
@@ -157,7 +157,7 @@ pub(super) fn read_walls(keys: &Keys<'_>, dimensions: usize) -> Result<Walls, Sc
 
 impl Collider {
     /// Reads a table of `[[collider]]`, the keys of which are not checked yet.
-    pub(super) fn read(keys: &Keys<'_>, dimensions: usize, folder: &Folder) -> Result<Self, SceneError> {
+    pub(crate) fn read(keys: &Keys<'_>, dimensions: usize, folder: &Folder) -> Result<Self, SceneError> {
         let name = region::shape_of(keys, "collider", SHAPES, SURFACE)?;
         let shape = match name {
             "ball" => {

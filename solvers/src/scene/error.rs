@@ -23,7 +23,7 @@ impl SceneError {
     }
 
     /// The same, but as a lack of memory.
-    pub(super) fn of_memory(mut self) -> Self {
+    pub(crate) fn of_memory(mut self) -> Self {
         self.memory = true;
         self
     }
@@ -40,14 +40,14 @@ impl SceneError {
 
     /// The way to the key from the top, with the numbers of lists: `body`, `0`, `velocity`. Empty, if it is a fault of
     /// no key.
-    pub(super) fn path(&self) -> Vec<String> {
+    pub(crate) fn path(&self) -> Vec<String> {
         let key = self.key.as_deref().unwrap_or_default();
         let key = key.split(" = ").next().unwrap_or_default();
         key.split(['.', '[', ']']).filter(|part| !part.is_empty()).map(str::to_string).collect()
     }
 
     /// The same with a word about it in parentheses.
-    pub(super) fn with_note(mut self, note: &str) -> Self {
+    pub(crate) fn with_note(mut self, note: &str) -> Self {
         self.message = format!("{} ({note})", self.message);
         self
     }

@@ -16,7 +16,7 @@ pub enum Folder {
 
 impl Folder {
     /// The file's bytes, or why they cannot be had.
-    pub(super) fn read(&self, name: &str) -> Result<Vec<u8>, String> {
+    pub(crate) fn read(&self, name: &str) -> Result<Vec<u8>, String> {
         match self {
             Self::BuiltIn => {
                 let scenes = || crate::solvers().iter().flat_map(|solver| solver.scenes);
@@ -30,7 +30,7 @@ impl Folder {
     }
 
     /// The name of a file in messages.
-    pub(super) fn label(&self, name: &str) -> String {
+    pub(crate) fn label(&self, name: &str) -> String {
         match self {
             Self::BuiltIn => name.into(),
             Self::Path(folder) => folder.join(name).display().to_string(),

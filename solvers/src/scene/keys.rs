@@ -5,9 +5,9 @@ use toml::{Table, Value};
 use super::{Reorder, SceneError};
 use crate::nearest::hint;
 
-/// A table whose keys are known.
-#[derive(Clone)]
-pub(super) struct Keys<'a> {
+/// A table of a scene whose keys are known: what solvers read their own part from.
+#[derive(Clone, Debug)]
+pub struct Keys<'a> {
     file: &'a str,
     /// Where the table stands in the file: empty, or `material.`.
     prefix: String,
@@ -17,7 +17,7 @@ pub(super) struct Keys<'a> {
 impl<'a> Keys<'a> {
     /// # Errors
     /// If a key is not among the known ones: the nearest of them is named.
-    pub(super) fn new(file: &'a str, prefix: String, table: &'a Table, known: &[&str]) -> Result<Self, SceneError> {
+    pub(crate) fn new(file: &'a str, prefix: String, table: &'a Table, known: &[&str]) -> Result<Self, SceneError> {
         let keys = Self { file, prefix, table };
         match table.keys().find(|key| !known.contains(&key.as_str())) {
             Some(key) => Err(keys.unknown(key, known)),
@@ -35,7 +35,7 @@ impl<'a> Keys<'a> {
     ///
     /// # Errors
     /// If there is a key of `others`, which other choices take, or one that is not known at all.
-    pub(super) fn only(&self, what: &str, takes: &[&str], others: &[&str]) -> Result<(), SceneError> {
+    pub(crate) fn only(&self, what: &str, takes: &[&str], others: &[&str]) -> Result<(), SceneError> {
         match self.table.keys().find(|key| !takes.contains(&key.as_str())) {
             Some(key) if others.contains(&key.as_str()) => {
                 Err(self.fault(key, format!("is not a key of {what}, which takes `{}`", takes.join("`, `"))))
@@ -46,7 +46,7 @@ impl<'a> Keys<'a> {
     }
 
     /// The one of `choices` that the text of a key names, if it is there; `what` tells what they are.
-    pub(super) fn choice<T: Copy>(
+    pub(crate) fn choice<T: Copy>(
         &self,
         key: &str,
         what: &str,
@@ -63,7 +63,7 @@ impl<'a> Keys<'a> {
     }
 
     /// What `read` takes from a file of the scene that a key names.
-    pub(super) fn file<T>(
+    pub(crate) fn file<T>(
         &self,
         key: &str,
         example: &str,
@@ -72,7 +72,7 @@ impl<'a> Keys<'a> {
         read(self.required_text(key, example)?).map_err(|fault| self.fault(key, fault))
     }
 
-    pub(super) fn flag(&self, key: &str) -> Result<Option<bool>, SceneError> {
+    pub(crate) fn flag(&self, key: &str) -> Result<Option<bool>, SceneError> {
         match self.table.get(key) {
             None => Ok(None),
             Some(Value::Boolean(flag)) => Ok(Some(*flag)),
@@ -80,12 +80,12 @@ impl<'a> Keys<'a> {
         }
     }
 
-    pub(super) fn has(&self, key: &str) -> bool {
+    pub(crate) fn has(&self, key: &str) -> bool {
         self.table.contains_key(key)
     }
 
     /// The fault of a key's value.
-    pub(super) fn fault(&self, key: &str, message: impl Into<String>) -> SceneError {
+    pub(crate) fn fault(&self, key: &str, message: impl Into<String>) -> SceneError {
         let key = match self.table.get(key) {
             Some(value) => format!("{}{key} = {}", self.prefix, short(value)),
             None => format!("{}{key}", self.prefix),
@@ -101,7 +101,7 @@ impl<'a> Keys<'a> {
         value.ok_or_else(|| self.missing(key, example))
     }
 
-    pub(super) fn text(&self, key: &str) -> Result<Option<&'a str>, SceneError> {
+    pub(crate) fn text(&self, key: &str) -> Result<Option<&'a str>, SceneError> {
         match self.table.get(key) {
             None => Ok(None),
             Some(Value::String(text)) => Ok(Some(text)),
@@ -109,13 +109,13 @@ impl<'a> Keys<'a> {
         }
     }
 
-    pub(super) fn required_text(&self, key: &str, example: &str) -> Result<&'a str, SceneError> {
+    pub(crate) fn required_text(&self, key: &str, example: &str) -> Result<&'a str, SceneError> {
         let value = self.text(key)?;
         self.required(key, example, value)
     }
 
     /// A whole number within bounds.
-    pub(super) fn whole(&self, key: &str, least: i64, most: i64) -> Result<Option<i64>, SceneError> {
+    pub(crate) fn whole(&self, key: &str, least: i64, most: i64) -> Result<Option<i64>, SceneError> {
         self.table.get(key).map(|value| self.whole_value(key, value, least, most)).transpose()
     }
 
@@ -128,7 +128,7 @@ impl<'a> Keys<'a> {
     }
 
     /// A number of steps, or `"auto"`.
-    pub(super) fn reorder(&self, key: &str) -> Result<Option<Reorder>, SceneError> {
+    pub(crate) fn reorder(&self, key: &str) -> Result<Option<Reorder>, SceneError> {
         match self.table.get(key) {
             Some(Value::String(text)) if text == "auto" => Ok(Some(Reorder::Decayed)),
             Some(Value::String(_)) => Err(self.fault(key, "is no number of steps, 0 for never, or \"auto\"")),
@@ -137,7 +137,7 @@ impl<'a> Keys<'a> {
     }
 
     /// A finite number.
-    pub(super) fn number(&self, key: &str) -> Result<Option<f64>, SceneError> {
+    pub(crate) fn number(&self, key: &str) -> Result<Option<f64>, SceneError> {
         self.table.get(key).map(|value| self.number_value(key, value)).transpose()
     }
 
@@ -151,7 +151,7 @@ impl<'a> Keys<'a> {
     }
 
     /// A finite number within `least` and `most`, which belong to it.
-    pub(super) fn between(&self, key: &str, least: f64, most: f64) -> Result<Option<f64>, SceneError> {
+    pub(crate) fn between(&self, key: &str, least: f64, most: f64) -> Result<Option<f64>, SceneError> {
         match self.number(key)? {
             Some(number) if !(least..=most).contains(&number) => {
                 Err(self.fault(key, format!("is not from {least} to {most}")))
@@ -161,7 +161,7 @@ impl<'a> Keys<'a> {
     }
 
     /// A finite number above zero, in the range of `f32`, in which it is computed.
-    pub(super) fn positive(&self, key: &str, example: &str) -> Result<f64, SceneError> {
+    pub(crate) fn positive(&self, key: &str, example: &str) -> Result<f64, SceneError> {
         let value = self.number(key)?;
         let number = self.required(key, example, value)?;
         if number <= 0.0 {
@@ -174,12 +174,12 @@ impl<'a> Keys<'a> {
     }
 
     /// A vector of as many numbers as the scene has dimensions.
-    pub(super) fn vector(&self, key: &str, dimensions: usize) -> Result<Option<[f64; 3]>, SceneError> {
+    pub(crate) fn vector(&self, key: &str, dimensions: usize) -> Result<Option<[f64; 3]>, SceneError> {
         self.numbers(key, dimensions)
     }
 
     /// A list of `count` finite numbers, with zeros after them up to `N`.
-    pub(super) fn numbers<const N: usize>(&self, key: &str, count: usize) -> Result<Option<[f64; N]>, SceneError> {
+    pub(crate) fn numbers<const N: usize>(&self, key: &str, count: usize) -> Result<Option<[f64; N]>, SceneError> {
         let Some(value) = self.table.get(key) else { return Ok(None) };
         let Value::Array(items) = value else {
             return Err(self.fault(key, format!("is {}, where a list of {count} numbers is wanted", kind(value))));
@@ -194,13 +194,13 @@ impl<'a> Keys<'a> {
         Ok(Some(numbers))
     }
 
-    pub(super) fn required_vector(&self, key: &str, dimensions: usize, example: &str) -> Result<[f64; 3], SceneError> {
+    pub(crate) fn required_vector(&self, key: &str, dimensions: usize, example: &str) -> Result<[f64; 3], SceneError> {
         let value = self.vector(key, dimensions)?;
         self.required(key, example, value)
     }
 
     /// One whole number for all axes, or a list of one an axis.
-    pub(super) fn extents(
+    pub(crate) fn extents(
         &self,
         key: &str,
         dimensions: usize,
@@ -224,7 +224,7 @@ impl<'a> Keys<'a> {
     }
 
     /// A table below this one.
-    pub(super) fn table(&self, key: &str, known: &[&str]) -> Result<Option<Keys<'a>>, SceneError> {
+    pub(crate) fn table(&self, key: &str, known: &[&str]) -> Result<Option<Keys<'a>>, SceneError> {
         match self.table.get(key) {
             None => Ok(None),
             Some(Value::Table(table)) => Keys::new(self.file, format!("{}{key}.", self.prefix), table, known).map(Some),
@@ -236,7 +236,7 @@ impl<'a> Keys<'a> {
     }
 
     /// A table, or those of a list. Their keys are not checked.
-    pub(super) fn table_or_tables(&self, key: &str) -> Result<Vec<Keys<'a>>, SceneError> {
+    pub(crate) fn table_or_tables(&self, key: &str) -> Result<Vec<Keys<'a>>, SceneError> {
         let wanted = format!("a table `[{key}]` or a list of tables `[[{key}]]` is wanted");
         match self.table.get(key) {
             None => Ok(Vec::new()),
@@ -249,7 +249,7 @@ impl<'a> Keys<'a> {
     }
 
     /// The tables of a list, `[[key]]`. Their keys are not checked.
-    pub(super) fn all_tables(&self, key: &str) -> Result<Vec<Keys<'a>>, SceneError> {
+    pub(crate) fn all_tables(&self, key: &str) -> Result<Vec<Keys<'a>>, SceneError> {
         match self.table.get(key) {
             None => Ok(Vec::new()),
             Some(Value::Array(items)) => self.items(key, items, &format!("a list of tables `[[{key}]]` is wanted")),
@@ -268,7 +268,7 @@ impl<'a> Keys<'a> {
     }
 }
 
-pub(super) fn kind(value: &Value) -> &'static str {
+pub(crate) fn kind(value: &Value) -> &'static str {
     match value {
         Value::String(_) => "a text",
         Value::Integer(_) => "a whole number",
@@ -281,7 +281,7 @@ pub(super) fn kind(value: &Value) -> &'static str {
 }
 
 /// A value on one line of bearable length.
-pub(super) fn short(value: &Value) -> String {
+pub(crate) fn short(value: &Value) -> String {
     let text: String = value.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
     if text.chars().count() <= 60 { text } else { format!("{}..", text.chars().take(57).collect::<String>()) }
 }

@@ -1,4 +1,6 @@
 //! Scenes: what is simulated. A scene is a TOML text; `SCENES.md` is the schema.
+//!
+//! [`Scene`] holds what the scenes of all solvers have, and its solver's own part behind the trait [`Setup`].
 
 mod body;
 mod camera;
@@ -7,27 +9,35 @@ mod difference;
 mod error;
 mod folder;
 mod keys;
-mod material;
 mod memory;
-mod region;
+mod particles;
+pub(crate) mod region;
 mod reorder;
-mod sizes;
+mod setup;
 mod sources;
-mod transfer;
 
+use std::any::Any;
 use std::path::Path;
+use std::sync::Arc;
 
 pub use body::{Body, Fill, Shape};
 pub use camera::CameraPlace;
 pub use contact::{Collider, ColliderShape, Contact, SIDES, Wall, Walls};
+pub(crate) use contact::{WALLS, read_walls};
 pub use error::SceneError;
 pub use folder::Folder;
-use keys::Keys;
-pub use material::Material;
+pub use keys::Keys;
 pub use memory::available_memory;
+pub(crate) use memory::gibibytes;
+pub use particles::Particles;
+pub(crate) use particles::fill;
 pub use reorder::Reorder;
+pub use setup::{Basics, Setup, Substance};
 use sources::Sources;
-pub use transfer::{Forces, Scheme, Spline, Transfer};
+use toml::Table;
+
+use crate::SolverInfo;
+use crate::registry::{self, solvers};
 
 /// The version of the schema.
 const VERSION: i64 = 1;
@@ -35,10 +45,8 @@ const VERSION: i64 = 1;
 /// More particles than this are refused, before memory is asked for.
 pub(crate) const MOST_PARTICLES: usize = 1 << 25;
 
-/// Axes of more nodes are refused.
-const LONGEST: i64 = 1 << 15;
-
-/// A scene, read and checked. Lengths are metres, times seconds; vectors have a third component of zero in 2D.
+/// A scene, read and checked. Lengths are metres, times seconds; vectors have components of zero along axes that the
+/// scene does not have.
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// The name or file by which messages tell it.
@@ -47,81 +55,28 @@ pub struct Scene {
     pub about: String,
     /// The solver that it is for.
     pub solver: String,
-    /// 2 or 3.
+    /// From 1 to 3, as the solver allows.
     pub dimensions: usize,
-    /// Nodes along each axis; one along an axis that the scene does not have.
-    pub grid: [usize; 3],
-    /// Whether the domain may be larger than a dense grid can be, for layouts whose grid holds the nodes near particles alone.
-    pub sparse: bool,
-    /// Metres along the first axis; cells are cubes.
-    pub length: f64,
-    /// Seconds a step.
+    /// Seconds a step; the longest step, where the solver chooses its steps as it runs.
     pub dt: f64,
     /// Metres a second squared.
     pub gravity: [f64; 3],
-    /// Distance between particles, in cells; a particle's volume is this to the power of the dimensions.
-    pub spacing: f64,
-    /// Nodes, from each border on, through which nothing flows outwards.
-    pub wall: usize,
-    /// What bodies are of; at least one.
-    pub materials: Vec<Material>,
-    /// How velocity moves between particles and grid.
-    pub transfer: Transfer,
-    /// What the sides of the domain do.
-    pub walls: Walls,
-    /// What stands in the domain.
-    pub colliders: Vec<Collider>,
     /// From where it is looked at.
     pub camera: CameraPlace,
-    /// Of the generators of random numbers of all bodies that have none of their own.
+    /// Of the generators of random numbers of all that has none of its own.
     pub seed: u64,
-    /// When the particles are sorted by cell.
-    pub reorder: Reorder,
     /// Steps that a run takes if none are asked for.
     pub steps: u64,
-    /// What it holds.
-    pub bodies: Vec<Body>,
+    /// What its solver's scenes have beside that.
+    pub setup: Arc<dyn Setup>,
     /// The scene as one TOML text, its keys in alphabetical order: with what it includes and what was overridden, and
-    /// with another grid or number of particles, if there are.
+    /// in another size, if it was changed.
     pub text: String,
 }
 
-/// The particles with which a scene starts.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Particles {
-    /// Positions in metres.
-    pub x: Vec<[f64; 3]>,
-    /// Velocities in metres a second.
-    pub v: Vec<[f64; 3]>,
-    /// Gradients of the velocity, `c[row][column]`, in 1/s.
-    pub c: Vec<[[f64; 3]; 3]>,
-    /// Of which of the scene's materials.
-    pub material: Vec<u32>,
-}
-
-const KEYS: &[&str] = &[
-    "version",
-    "about",
-    "solver",
-    "dimensions",
-    "grid",
-    "sparse",
-    "length",
-    "dt",
-    "gravity",
-    "spacing",
-    "wall",
-    "reorder",
-    "steps",
-    "include",
-    "material",
-    "transfer",
-    "walls",
-    "camera",
-    "seed",
-    "body",
-    "collider",
-];
+/// The keys of all scenes; their solvers have others beside them.
+const KEYS: &[&str] =
+    &["version", "about", "solver", "dimensions", "dt", "gravity", "steps", "include", "camera", "seed"];
 
 impl Scene {
     /// Reads a scene from a file.
@@ -162,75 +117,42 @@ impl Scene {
         Self::read(&sources.table, file, &folder).map_err(|error| sources.with_origin(error))
     }
 
-    fn read(table: &toml::Table, file: &str, folder: &Folder) -> Result<Self, SceneError> {
-        let keys = Keys::new(file, String::new(), table, KEYS)?;
+    fn read(table: &Table, file: &str, folder: &Folder) -> Result<Self, SceneError> {
+        let info = table.get("solver").and_then(|name| solvers().iter().find(|info| Some(info.name) == name.as_str()));
+        let own: Vec<&str> = match info {
+            Some(info) => info.keys.to_vec(),
+            None => solvers().iter().flat_map(|info| info.keys).copied().collect(),
+        };
+        let keys = Keys::new(file, String::new(), table, &[KEYS, &own].concat())?;
         if keys.whole("version", i64::MIN, i64::MAX)? != Some(VERSION) {
             return Err(keys.fault("version", format!("must be there and {VERSION}, the version of the schema")));
         }
-        let solver = keys.required_text("solver", "\"mpm\"")?.to_string();
-        let Some(dimensions) = keys.whole("dimensions", 2, 3)? else {
-            return Err(keys.fault("dimensions", "is missing; write `dimensions = 2` or `dimensions = 3`"));
-        };
-        let dimensions = dimensions as usize;
-        let transfer = keys.table("transfer", transfer::KEYS)?;
-        let transfer = transfer.map(|keys| Transfer::read(&keys, dimensions)).transpose()?.unwrap_or_default();
-        // All nodes of a particle that has come to rest belong to the wall.
-        let least = transfer.spline.width().max(3);
-        let wall = keys.whole("wall", least as i64, 64)?.map_or(least, |wall| wall as usize);
-        let grid = keys.extents("grid", dimensions, 2 * wall as i64 + 4, LONGEST)?;
-        let sparse = keys.flag("sparse")?.unwrap_or_default();
-        if !sparse {
-            sizes::check_nodes(grid, dimensions, transfer.scheme).map_err(|fault| keys.fault("grid", fault))?;
-        }
-        let spacing = if keys.has("spacing") { keys.positive("spacing", "0.5")? } else { 0.5 };
-        if !(0.05..=1.0).contains(&spacing) {
-            return Err(
-                keys.fault("spacing", "is not from 0.05 to 1 cell; fewer than one particle a cell tears the fluid")
-            );
-        }
-        let materials = material::read(&keys)?;
-        let walls = keys.table("walls", contact::WALLS)?;
+        let info = read_solver(&keys)?;
+        let dimensions = read_dimensions(&keys, info)?;
         let camera = keys.table("camera", camera::KEYS)?;
-        if camera.is_some() && dimensions == 2 {
+        if camera.is_some() && dimensions < 3 {
             return Err(keys.fault("camera", "is for `dimensions = 3`; the whole of a plane is seen"));
         }
-        let seed = keys.whole("seed", 0, i64::MAX)?.unwrap_or(0) as u64;
-        let scene = Self {
-            file: file.to_string(),
-            about: keys.text("about")?.unwrap_or_default().to_string(),
-            solver,
+        let basics = Basics {
             dimensions,
-            grid,
-            sparse,
-            length: keys.positive("length", "1.0")?,
             dt: keys.positive("dt", "2e-4")?,
             gravity: keys.vector("gravity", dimensions)?.unwrap_or_default(),
-            spacing,
-            wall,
-            transfer,
-            walls: walls.map(|keys| contact::read_walls(&keys, dimensions)).transpose()?.unwrap_or_default(),
-            colliders: keys
-                .all_tables("collider")?
-                .iter()
-                .map(|keys| Collider::read(keys, dimensions, folder))
-                .collect::<Result<_, _>>()?,
-            camera: camera.map(|keys| CameraPlace::read(&keys)).transpose()?.unwrap_or_default(),
-            seed,
-            reorder: keys.reorder("reorder")?.unwrap_or_default(),
-            steps: keys.whole("steps", 1, i64::MAX)?.unwrap_or(1000) as u64,
-            bodies: keys
-                .all_tables("body")?
-                .iter()
-                .enumerate()
-                .map(|(n, keys)| Body::read(keys, dimensions, &materials, seed + n as u64, folder))
-                .collect::<Result<_, _>>()?,
-            materials,
-            text: table.to_string(),
+            seed: keys.whole("seed", 0, i64::MAX)?.unwrap_or(0) as u64,
+            folder,
         };
-        if scene.bodies.is_empty() {
-            return Err(keys.fault("body", "is missing; write a table `[[body]]` for each body"));
-        }
-        Ok(scene)
+        Ok(Self {
+            file: file.to_string(),
+            about: keys.text("about")?.unwrap_or_default().to_string(),
+            solver: info.name.to_string(),
+            dimensions,
+            dt: basics.dt,
+            gravity: basics.gravity,
+            camera: camera.map(|keys| CameraPlace::read(&keys)).transpose()?.unwrap_or_default(),
+            seed: basics.seed,
+            steps: keys.whole("steps", 1, i64::MAX)?.unwrap_or(1000) as u64,
+            setup: (info.read)(&keys, &basics)?,
+            text: table.to_string(),
+        })
     }
 
     /// In what this scene differs from another, given by its [`text`](Self::text): the first key whose value differs,
@@ -240,83 +162,101 @@ impl Scene {
         difference::first(&self.text, other)
     }
 
-    /// The side of a cell in metres.
-    pub fn dx(&self) -> f64 {
-        self.length / self.grid[0] as f64
+    /// Its solver's own part.
+    ///
+    /// # Errors
+    /// If the scene is for a solver with another one.
+    pub fn setup<S: Setup>(&self) -> Result<&S, SceneError> {
+        let setup: &dyn Any = &*self.setup;
+        setup.downcast_ref().ok_or_else(|| self.of_another())
+    }
+
+    /// The same, to change it. The scene's [`text`](Self::text) stays as it was.
+    ///
+    /// # Errors
+    /// If the scene is for a solver with another one.
+    pub fn setup_mut<S: Setup + Clone>(&mut self) -> Result<&mut S, SceneError> {
+        let (own, fault) = (self.setup::<S>()?, self.of_another());
+        if Arc::strong_count(&self.setup) > 1 {
+            self.setup = Arc::new(own.clone());
+        }
+        let setup: Option<&mut dyn Any> = Arc::get_mut(&mut self.setup).map(|setup| setup as _);
+        setup.and_then(<dyn Any>::downcast_mut).ok_or(fault)
+    }
+
+    fn of_another(&self) -> SceneError {
+        SceneError::new(&*self.file, format!("is for the solver `{}`", self.solver))
     }
 
     /// Metres along each axis; zero along an axis that the scene does not have.
     pub fn extent(&self) -> [f64; 3] {
-        std::array::from_fn(|axis| if axis < self.dimensions { self.grid[axis] as f64 * self.dx() } else { 0.0 })
+        self.setup.extent()
     }
 
-    /// The volume of a particle in m^3 (in 2D, m^2).
-    pub fn particle_volume(&self) -> f64 {
-        (self.spacing * self.dx()).powi(self.dimensions as i32)
+    /// The particles with which the scene starts.
+    ///
+    /// # Errors
+    /// If one lies outside the domain, or there are none, or too many for the machine's memory.
+    pub fn particles(&self) -> Result<Particles, SceneError> {
+        self.setup.particles(self)
+    }
+
+    /// The same scene on `nodes` nodes along the first axis, and in proportion along the others. The time step is
+    /// changed in proportion to the cell, so that the Courant number stays.
+    ///
+    /// # Errors
+    /// If an axis becomes too short for its walls, or the grid too large, or the solver has none.
+    pub fn with_grid(self, nodes: usize) -> Result<Self, SceneError> {
+        self.setup.clone().with_grid(self, nodes)
+    }
+
+    /// The same scene with `count` particles, or about so many, as its setup can have them.
+    ///
+    /// # Errors
+    /// If it cannot have so many.
+    pub fn with_particles(self, count: usize) -> Result<Self, SceneError> {
+        self.setup.clone().with_particles(self, count)
+    }
+
+    /// When the particles are sorted.
+    pub fn reorder(&self) -> Reorder {
+        self.setup.reorder()
+    }
+
+    /// The same scene with its particles sorted at other times.
+    ///
+    /// # Errors
+    /// If its solver does not sort particles.
+    pub fn with_reorder(self, reorder: Reorder) -> Result<Self, SceneError> {
+        self.setup.clone().with_reorder(self, reorder)
+    }
+
+    /// Changes the text in the way in which the scene was changed.
+    pub(crate) fn rewrite(&mut self, change: impl FnOnce(&mut Table)) {
+        if let Ok(mut table) = self.text.parse::<Table>() {
+            change(&mut table);
+            self.text = table.to_string();
+        }
     }
 
     /// A fault of this scene's key; `key` may tell the value.
     pub(crate) fn fault(&self, key: impl Into<String>, message: impl Into<String>) -> SceneError {
         SceneError::at(&*self.file, key, message)
     }
+}
 
-    /// The particles with which the scene starts, body after body.
-    ///
-    /// # Errors
-    /// If a particle lies outside the domain, or there are none, or too many for the machine's memory.
-    pub fn particles(&self) -> Result<Particles, SceneError> {
-        if let Some(available) = available_memory() {
-            let bodies = self.bodies.iter();
-            let estimate: f64 = bodies.map(|body| body.shape.estimate(self.spacing * self.dx(), self.dimensions)).sum();
-            self.check_memory((estimate as usize).min(MOST_PARTICLES), available)?;
-        }
-        let mut particles = Particles::default();
-        for (n, body) in self.bodies.iter().enumerate() {
-            let key = format!("body[{n}]");
-            let first = particles.x.len();
-            let room = MOST_PARTICLES - first;
-            let positions = body
-                .shape
-                .fill(self.spacing * self.dx(), self.dimensions, room)
-                .map_err(|fault| self.fault(&*key, fault))?;
-            if positions.is_empty() {
-                return Err(self.fault(key, "holds no particle; make it larger, or `spacing` smaller"));
-            }
-            if let Some(p) = positions.iter().position(|&x| !self.contains(x)) {
-                let (dx, (first_node, last_node)) = (self.dx(), self.reach());
-                let upper: Vec<_> = last_node[..self.dimensions].iter().map(|&n| format!("{:.4}", n * dx)).collect();
-                let message = format!(
-                    "puts particle {} at {} outside the domain, which reaches from {:.4} on each axis to ({})",
-                    first + p,
-                    place(positions[p], self.dimensions),
-                    first_node * dx,
-                    upper.join(", ")
-                );
-                return Err(self.fault(key, message));
-            }
-            body.set_off(positions, &mut particles);
-        }
-        Ok(particles)
-    }
+fn read_solver(keys: &Keys<'_>) -> Result<&'static SolverInfo, SceneError> {
+    let name = keys.required_text("solver", "\"mpm\"")?;
+    registry::solver(name).map_err(|fault| keys.fault("solver", format!("is wrong: {fault}")))
+}
 
-    /// Between which coordinates, in cells, all nodes of a particle are in the grid: a particle's first node is
-    /// `floor(x - offset)`, where the offset is half of what the spline is wider than a cell.
-    fn reach(&self) -> (f64, [f64; 3]) {
-        let width = self.transfer.spline.width();
-        let offset = 0.5 * (width - 2) as f64;
-        (offset, self.grid.map(|nodes| nodes as f64 + 1.0 - width as f64 + offset))
-    }
-
-    /// Whether the nodes around a particle are all in the grid, in the arithmetic of the kernels.
-    fn contains(&self, x: [f64; 3]) -> bool {
-        let inv_dx = (1.0 / self.dx()) as f32;
-        let width = self.transfer.spline.width();
-        let offset = 0.5 * (width - 2) as f32;
-        (0..self.dimensions).all(|axis| {
-            let base = x[axis] as f32 * inv_dx - offset;
-            base >= 0.0 && base < (self.grid[axis] + 1 - width) as f32
-        })
-    }
+fn read_dimensions(keys: &Keys<'_>, info: &SolverInfo) -> Result<usize, SceneError> {
+    let (least, most) = (*info.dimensions.start(), *info.dimensions.end());
+    let dimensions = keys.whole("dimensions", least as i64, most as i64)?.ok_or_else(|| {
+        let choices: Vec<_> = (least..=most).map(|dimensions| format!("`dimensions = {dimensions}`")).collect();
+        keys.fault("dimensions", format!("is missing; write {}", choices.join(" or ")))
+    })?;
+    Ok(dimensions as usize)
 }
 
 /// A position for a message.

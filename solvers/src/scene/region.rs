@@ -5,14 +5,14 @@ use super::{Folder, SceneError};
 use crate::mesh::{self, ClosedMesh};
 
 /// Keys of a box.
-pub(super) const CORNERS: &[&str] = &["from", "to"];
+pub(crate) const CORNERS: &[&str] = &["from", "to"];
 
 /// Keys of a mesh.
-pub(super) const MESH: &[&str] = &["file", "scale", "move"];
+pub(crate) const MESH: &[&str] = &["file", "scale", "move"];
 
 /// The name of a table's shape, among `shapes` with the keys that each takes beside `shape` and `common`; the table may
 /// have no others. `what` has the shape.
-pub(super) fn shape_of<'a>(
+pub(crate) fn shape_of<'a>(
     keys: &Keys<'a>,
     what: &str,
     shapes: &[(&'static str, &[&str])],
@@ -28,7 +28,7 @@ pub(super) fn shape_of<'a>(
 }
 
 /// The lower and the upper corner of a box.
-pub(super) fn corners(keys: &Keys<'_>, dimensions: usize) -> Result<([f64; 3], [f64; 3]), SceneError> {
+pub(crate) fn corners(keys: &Keys<'_>, dimensions: usize) -> Result<([f64; 3], [f64; 3]), SceneError> {
     let from = keys.required_vector("from", dimensions, "[0.2, 0.2]")?;
     let to = keys.required_vector("to", dimensions, "[0.6, 0.6]")?;
     if let Some(axis) = (0..dimensions).find(|&axis| to[axis] <= from[axis]) {
@@ -40,12 +40,12 @@ pub(super) fn corners(keys: &Keys<'_>, dimensions: usize) -> Result<([f64; 3], [
 }
 
 /// The centre and the radius of a ball.
-pub(super) fn ball(keys: &Keys<'_>, dimensions: usize) -> Result<([f64; 3], f64), SceneError> {
+pub(crate) fn ball(keys: &Keys<'_>, dimensions: usize) -> Result<([f64; 3], f64), SceneError> {
     Ok((keys.required_vector("center", dimensions, "[0.5, 0.5]")?, keys.positive("radius", "0.2")?))
 }
 
 /// A closed mesh from a file, where it is placed.
-pub(super) fn mesh(keys: &Keys<'_>, dimensions: usize, folder: &Folder) -> Result<ClosedMesh, SceneError> {
+pub(crate) fn mesh(keys: &Keys<'_>, dimensions: usize, folder: &Folder) -> Result<ClosedMesh, SceneError> {
     if dimensions != 3 {
         return Err(keys.fault("shape", "needs `dimensions = 3`"));
     }

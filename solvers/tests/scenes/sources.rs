@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use allotrope_solvers::Scene;
-use allotrope_solvers::scene::{Contact, Folder, Spline};
+use allotrope_solvers::mpm::Spline;
+use allotrope_solvers::scene::{Contact, Folder};
 
-use super::GOOD;
+use super::{GOOD, own};
 
 /// A folder of this test's own with files in it.
 fn folder(name: &str, files: &[(&str, &str)]) -> PathBuf {
@@ -43,9 +44,9 @@ fn files_are_included_and_merged_key_by_key() {
         ],
     );
     let scene = load(&folder, "d.toml").unwrap();
-    assert_eq!((scene.gravity, scene.steps, scene.spacing, scene.dt), ([1.0, 0.0, 0.0], 7, 0.25, 4e-4));
-    assert_eq!((scene.materials[0].density, scene.materials[0].model.wave_modulus()), (2.0, 200.0));
-    assert_eq!(scene.bodies.len(), 1);
+    assert_eq!((scene.gravity, scene.steps, own(&scene).spacing, scene.dt), ([1.0, 0.0, 0.0], 7, 0.25, 4e-4));
+    assert_eq!((own(&scene).materials[0].density, own(&scene).materials[0].model.wave_modulus()), (2.0, 200.0));
+    assert_eq!(own(&scene).bodies.len(), 1);
     // The text is the whole of it.
     let again = Scene::parse(&scene.text, "again", Folder::BuiltIn).unwrap();
     assert_eq!((again.difference(&scene.text), again.particles()), (None, scene.particles()));
@@ -73,7 +74,7 @@ fn files_stand_beside_those_that_name_them() {
 #[test]
 fn built_in_scenes_can_be_included() {
     let scene = Scene::parse("include = \"mpm88.toml\"\ndt = 1e-4\n", "slow", Folder::BuiltIn).unwrap();
-    assert_eq!((scene.dt, scene.grid), (1e-4, [128, 128, 1]));
+    assert_eq!((scene.dt, own(&scene).grid), (1e-4, [128, 128, 1]));
     let fault = |text: &str, file: &str| Scene::parse(text, file, Folder::BuiltIn).unwrap_err().to_string();
     assert_eq!(
         fault("include = \"mpm89.toml\"", "slow"),
@@ -148,14 +149,14 @@ fn values_are_overridden() {
         "dt=2e-4",
     ])
     .unwrap();
-    assert_eq!((scene.dt, scene.bodies[0].velocity), (2e-4, [1.0, 0.0, 0.0]));
-    assert_eq!((scene.walls[1][0].contact, scene.transfer.spline), (Contact::Sticky, Spline::Cubic));
+    assert_eq!((scene.dt, own(&scene).bodies[0].velocity), (2e-4, [1.0, 0.0, 0.0]));
+    assert_eq!((own(&scene).walls[1][0].contact, own(&scene).transfer.spline), (Contact::Sticky, Spline::Cubic));
     let plain = Scene::parse(GOOD, "test.toml", Folder::BuiltIn).unwrap();
     assert_eq!(plain.difference(&scene.text).unwrap(), "`body[0].velocity` is not given here and [1, 0] there");
     // They come after includes, and before nothing.
     let folder = folder("over", &[("good.toml", GOOD), ("top.toml", "include = \"good.toml\"\ndt = 3e-4\n")]);
     let scene = Scene::load_with(&folder.join("top.toml"), &["dt=1e-4".into(), "length=4".into()]).unwrap();
-    assert_eq!((scene.dt, scene.length), (1e-4, 4.0));
+    assert_eq!((scene.dt, own(&scene).length), (1e-4, 4.0));
 }
 
 #[test]

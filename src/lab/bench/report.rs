@@ -12,7 +12,7 @@ pub struct Report {
     pub scene: String,
     /// Number of particles.
     pub particles: usize,
-    /// Nodes along each axis.
+    /// Nodes along each axis; empty, if there is no grid.
     pub grid: Vec<usize>,
     /// Threads of loops.
     pub threads: usize,

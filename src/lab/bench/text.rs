@@ -2,6 +2,7 @@
 
 use super::report::Report;
 use crate::lab::machine;
+use crate::lab::scene::size;
 use crate::lab::table::{Table, four_digits};
 
 /// What the table tells beside the report.
@@ -15,13 +16,11 @@ pub(super) struct About {
 
 /// Machine and scene, what was checked, and the table.
 pub(super) fn text(report: &Report, about: &About) -> String {
-    let grid: Vec<String> = report.grid.iter().map(usize::to_string).collect();
     let mut text = format!(
-        "{} {}: {} particles, {} nodes\n{}, {} threads, {}\n",
+        "{} {}: {}\n{}, {} threads, {}\n",
         report.solver,
         report.scene,
-        report.particles,
-        grid.join(" x "),
+        size(report.particles, "", &report.grid),
         machine::processor(),
         report.threads,
         report.isa

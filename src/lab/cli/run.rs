@@ -150,7 +150,7 @@ impl RunArguments {
         let schedule = self.schedule()?.with_threads(self.what.threads);
         let schedule = allotrope::Schedule { deterministic: self.deterministic, ..schedule };
         let mut simulation = (solver.build)(&scene, layout)?;
-        check::check(&mut *simulation, &mut *gate(&scene), schedule, self.progress, self.quiet)
+        check::check(&mut *simulation, &mut *gate(&scene)?, schedule, self.progress, self.quiet)
     }
 
     /// What is set of the scene by options of their own.
@@ -275,7 +275,7 @@ impl RunArguments {
             let folder = header.folder.clone().map_or(Folder::BuiltIn, Folder::Path);
             Scene::parse_with(&checkpoint.scene, &header.scene, folder, set)
         };
-        let mut there = read(&[])?;
+        let there = read(&[])?;
         let camera = self.camera();
         let here = match &self.what.scene {
             Some(_) => self.what.scene_with(solver, &camera)?,
@@ -294,10 +294,10 @@ impl RunArguments {
                 return Err(checkpoint.differs(key, &there.to_string(), &here.to_string()));
             }
         }
-        there.reorder = header.plan.reorder.parse().map_err(|fault| {
+        let reorder = header.plan.reorder.parse().map_err(|fault| {
             LabError::usage(format!("checkpoint `{}`: `reorder`: {fault}", checkpoint.path.display()))
         })?;
-        Ok(there)
+        Ok(there.with_reorder(reorder)?)
     }
 
     fn other_scene(&self, checkpoint: &Checkpoint, difference: &str) -> LabError {

@@ -69,11 +69,14 @@ impl SceneArguments {
         }
         if let Some(particles) = self.particles {
             scene = scene.with_particles(particles)?;
-            if particles > SORTED_ABOVE && scene.reorder == Reorder::Never {
-                scene.reorder = Reorder::Decayed;
-            }
         }
-        scene.reorder = self.reorder.unwrap_or(scene.reorder);
+        if let Some(reorder) = self.reorder {
+            return Ok(scene.with_reorder(reorder)?);
+        }
+        let many = self.particles.is_some_and(|particles| particles > SORTED_ABOVE);
+        if many && scene.setup.sorts() && scene.reorder() == Reorder::Never {
+            scene = scene.with_reorder(Reorder::Decayed)?;
+        }
         Ok(scene)
     }
 }
@@ -142,12 +145,17 @@ pub(super) fn fit(solver: &'static SolverInfo, scene: &Scene) -> Vec<&'static st
 
 #[cfg(test)]
 mod tests {
-    use allotrope_solvers::{Built, LayoutInfo, SceneError};
+    use allotrope_solvers::scene::{Basics, Keys};
+    use allotrope_solvers::{Built, LayoutInfo, Read, SceneError};
 
     use super::*;
 
     fn no_build(scene: &Scene, _layout: &str) -> Built {
         Err(SceneError::new(&*scene.file, "is not built here"))
+    }
+
+    fn no_setup(_keys: &Keys<'_>, _basics: &Basics<'_>) -> Read {
+        Err(SceneError::new("none", "is not read here"))
     }
 
     fn unfit(scene: &Scene, layout: &str) -> Option<&'static str> {
@@ -157,6 +165,9 @@ mod tests {
     const SOLVER: SolverInfo = SolverInfo {
         name: "mpm",
         about: "",
+        dimensions: 2..=3,
+        keys: &[],
+        read: no_setup,
         scenes: &[],
         layouts: &[
             LayoutInfo { name: "blocked", about: "", sparse: false },

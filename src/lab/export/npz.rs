@@ -27,7 +27,7 @@ pub struct Npz {
     pub texts: Vec<(String, String)>,
 }
 
-/// The bytes of an `.npz` file: each array as `<f4` or `<u4` of the shape `(n,)` or `(n, components)`, not compressed,
+/// The bytes of an `.npz` file: each array as `<f4`, `<f8` or `<u4` of the shape `(n,)` or `(n, components)`, not compressed,
 /// since that takes longer than most disks; and texts, whose names have an ending, such as `about.json`. The same
 /// arrays and texts give the same bytes.
 ///
@@ -45,7 +45,9 @@ pub fn write(arrays: &[Array], texts: &[(&str, &str)]) -> Result<Vec<u8>, LabErr
             let why = format!("its {} values are not {components} an element", values.len());
             return Err(fault(name, &why));
         }
-        let options = options.compression_method(CompressionMethod::Stored).large_file(4 * values.len() > LARGE - 1024);
+        let options = options
+            .compression_method(CompressionMethod::Stored)
+            .large_file(size(values) * values.len() > LARGE - 1024);
         archive.start_file(format!("{name}.npy"), options).map_err(|error| fault(name, &error))?;
         write_npy(&mut archive, components, values).map_err(|error| fault(name, &error))?;
     }
@@ -60,9 +62,18 @@ pub fn write(arrays: &[Array], texts: &[(&str, &str)]) -> Result<Vec<u8>, LabErr
     Ok(archive.finish().map_err(|error| fault("the table of contents", &error))?.into_inner())
 }
 
+/// Bytes a value.
+fn size(values: &Values) -> usize {
+    match values {
+        Values::F32(_) | Values::U32(_) => 4,
+        Values::F64(_) => 8,
+    }
+}
+
 fn write_npy(output: &mut impl Write, components: usize, values: &Values) -> std::io::Result<()> {
     let kind = match values {
         Values::F32(_) => "<f4",
+        Values::F64(_) => "<f8",
         Values::U32(_) => "<u4",
     };
     let count = values.len() / components;
@@ -77,14 +88,19 @@ fn write_npy(output: &mut impl Write, components: usize, values: &Values) -> std
     output.write_all(header.as_bytes())?;
     match values {
         Values::F32(values) => write_words(output, values, |value| value.to_le_bytes()),
+        Values::F64(values) => write_words(output, values, |value| value.to_le_bytes()),
         Values::U32(values) => write_words(output, values, |value| value.to_le_bytes()),
     }
 }
 
-/// Writes values of four bytes, a piece at a time.
-fn write_words<T: Copy>(output: &mut impl Write, values: &[T], bytes: impl Fn(T) -> [u8; 4]) -> std::io::Result<()> {
+/// Writes values of `N` bytes, a piece at a time.
+fn write_words<T: Copy, const N: usize>(
+    output: &mut impl Write,
+    values: &[T],
+    bytes: impl Fn(T) -> [u8; N],
+) -> std::io::Result<()> {
     const PIECE: usize = 1 << 14;
-    let mut buffer = Vec::with_capacity(4 * PIECE);
+    let mut buffer = Vec::with_capacity(N * PIECE);
     for piece in values.chunks(PIECE) {
         buffer.clear();
         buffer.extend(piece.iter().flat_map(|&value| bytes(value)));
@@ -93,7 +109,7 @@ fn write_words<T: Copy>(output: &mut impl Write, values: &[T], bytes: impl Fn(T)
     Ok(())
 }
 
-/// Reads an `.npz` file: arrays of `<f4` or `<u4` with one or two axes, and texts in UTF-8. Every byte of them is
+/// Reads an `.npz` file: arrays of `<f4`, `<f8` or `<u4` with one or two axes, and texts in UTF-8. Every byte of them is
 /// checked against the sums that the archive holds.
 ///
 /// # Errors
@@ -130,15 +146,19 @@ fn read_npy(bytes: &[u8]) -> Result<(usize, Values), String> {
     let header = std::str::from_utf8(header).map_err(|_| "has a header that is no text")?;
     let (kind, count, components) =
         parse_header(header).ok_or_else(|| format!("has a header that is not understood: {}", header.trim_end()))?;
-    let wanted = count.checked_mul(components).and_then(|values| values.checked_mul(4));
+    let wanted = count.checked_mul(components).and_then(|values| values.checked_mul(if kind == "<f8" { 8 } else { 4 }));
     if wanted != Some(data.len()) {
         return Err(format!("holds {} bytes, where {count} x {components} values are told", data.len()));
     }
     let words = data.as_chunks::<4>().0.iter();
     match kind {
         "<f4" => Ok((components, Values::F32(words.map(|word| f32::from_le_bytes(*word)).collect()))),
+        "<f8" => {
+            let words = data.as_chunks::<8>().0.iter();
+            Ok((components, Values::F64(words.map(|word| f64::from_le_bytes(*word)).collect())))
+        }
         "<u4" => Ok((components, Values::U32(words.map(|word| u32::from_le_bytes(*word)).collect()))),
-        _ => Err(format!("is of `{kind}`, where `<f4` or `<u4` is wanted")),
+        _ => Err(format!("is of `{kind}`, where `<f4`, `<f8` or `<u4` is wanted")),
     }
 }
 
@@ -171,14 +191,16 @@ mod tests {
             Array { name: "position", components: 3, values: Values::F32(wave) },
             Array { name: "odd", components: 1, values: Values::F32(vec![f32::NAN, -0.0, f32::INFINITY, 1e-42]) },
             Array { name: "identity", components: 1, values: Values::U32((0..50_000).rev().collect()) },
+            Array { name: "double", components: 2, values: Values::F64(vec![0.1, -0.0, f64::NAN, 1e-310]) },
             Array { name: "none", components: 2, values: Values::F32(Vec::new()) },
         ]
     }
 
-    fn bits(values: &Values) -> Vec<u32> {
+    fn bits(values: &Values) -> Vec<u64> {
         match values {
-            Values::F32(values) => values.iter().map(|value| value.to_bits()).collect(),
-            Values::U32(values) => values.clone(),
+            Values::F32(values) => values.iter().map(|value| value.to_bits().into()).collect(),
+            Values::F64(values) => values.iter().map(|value| value.to_bits()).collect(),
+            Values::U32(values) => values.iter().map(|&value| value.into()).collect(),
         }
     }
 

@@ -5,9 +5,6 @@ use allotrope_solvers::Simulation;
 
 use crate::lab::errors::LabError;
 
-/// Bytes a particle: seven floats, and the number of its material.
-const STRIDE: usize = 8 * 4;
-
 /// The lines before the data: a comment, the number of points, and the properties of each by type and name.
 fn header(comment: &str, count: usize, properties: &[(&str, &str)]) -> Vec<u8> {
     let properties: String = properties.iter().map(|(kind, name)| format!("property {kind} {name}\n")).collect();
@@ -16,17 +13,18 @@ fn header(comment: &str, count: usize, properties: &[(&str, &str)]) -> Vec<u8> {
 }
 
 /// The particles in the order in which they were given: `x y z` in metres (in 2D `z` is zero), `vx vy vz` in m/s,
-/// `pressure` in Pa, `material`.
+/// `pressure` in Pa where they have one, `material`.
 pub fn particles(simulation: &dyn Simulation) -> Vec<u8> {
     let count = simulation.particles();
+    let pressures = simulation.pressures();
     let floats = ["x", "y", "z", "vx", "vy", "vz", "pressure"].map(|name| ("float", name));
-    let properties = [&floats[..], &[("uint", "material")]].concat();
+    let floats = if pressures.is_empty() { &floats[..6] } else { &floats[..] };
+    let properties = [floats, &[("uint", "material")]].concat();
     let mut bytes = header(&format!("step {}, time {} s", simulation.steps(), simulation.time()), count, &properties);
-    bytes.reserve(STRIDE * count);
+    bytes.reserve(4 * properties.len() * count);
     let motion = simulation.positions().into_iter().zip(simulation.velocities());
-    let rest = simulation.pressures().into_iter().zip(simulation.material_of());
-    for ((x, v), (pressure, material)) in motion.zip(rest) {
-        for value in x.into_iter().chain(v).chain([pressure]) {
+    for (n, ((x, v), material)) in motion.zip(simulation.material_of()).enumerate() {
+        for value in x.into_iter().chain(v).chain(pressures.get(n).copied()) {
             bytes.extend_from_slice(&(value as f32).to_le_bytes());
         }
         bytes.extend_from_slice(&material.to_le_bytes());

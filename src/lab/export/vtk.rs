@@ -87,20 +87,21 @@ impl File {
     fn array(&mut self, array: &Array, place: impl Fn(usize) -> usize) -> String {
         match &array.values {
             Values::F32(values) => self.values(array, "Float32", values, f32::to_le_bytes, place),
+            Values::F64(values) => self.values(array, "Float64", values, f64::to_le_bytes, place),
             Values::U32(values) => self.values(array, "UInt32", values, u32::to_le_bytes, place),
         }
     }
 
-    fn values<T: Copy>(
+    fn values<T: Copy, const N: usize>(
         &mut self,
         array: &Array,
         kind: &str,
         values: &[T],
-        bytes: fn(T) -> [u8; 4],
+        bytes: fn(T) -> [u8; N],
         place: impl Fn(usize) -> usize,
     ) -> String {
         let components = array.components;
-        let padding: &[u8] = if components == 2 { &[0; 4] } else { &[] };
+        let padding: &[u8] = if components == 2 { &[0; N] } else { &[] };
         let elements = (0..values.len() / components).flat_map(|n| {
             let element = &values[place(n) * components..][..components];
             element.iter().flat_map(move |&value| bytes(value)).chain(padding.iter().copied())

@@ -175,8 +175,7 @@ fn nbody() -> Result<Box<dyn Work>, LabError> {
 /// The solver's own fluid, with particles sorted every so many steps.
 fn fluid(particles: usize, nodes: usize, reorder: Reorder) -> Result<Box<dyn Work>, LabError> {
     let solver = allotrope_solvers::solver("mpm").map_err(LabError::usage)?;
-    let mut scene = solver.scene("mpm88")?.with_grid(nodes)?.with_particles(particles)?;
-    scene.reorder = reorder;
+    let scene = solver.scene("mpm88")?.with_grid(nodes)?.with_particles(particles)?.with_reorder(reorder)?;
     let simulation = (solver.build)(&scene, "aos+row")?;
     // Particles (9 numbers) are read twice and written once, nodes (3 numbers) are cleared, accumulated (read and written),
     // updated (read and written) and gathered.

@@ -47,14 +47,15 @@ impl Camera {
             simulation.extent().iter().zip(&scene.gravity).map(|(extent, gravity)| extent * gravity.abs()).sum::<f64>();
         let top_speed = (fastest * fastest + 2.0 * fall).sqrt();
         let top_speed = if top_speed > 0.0 { top_speed } else { 1.0 };
-        let densest = scene.materials.iter().map(|material| material.density).fold(0.0, f64::max);
+        let substances = scene.setup.substances();
+        let densest = substances.iter().map(|substance| substance.density).fold(0.0, f64::max);
         Self {
             shading,
             place: scene.camera,
             top_speed,
             top_pressure: (0.25 * densest * top_speed * top_speed).max(f64::MIN_POSITIVE),
-            materials: shading::material_colours(&scene.materials),
-            colliders: scene.colliders.clone(),
+            materials: shading::material_colours(&substances),
+            colliders: scene.setup.colliders().to_vec(),
         }
     }
 
@@ -84,11 +85,14 @@ impl Camera {
             Shading::Pressure => {
                 let scale = Scale::pressures();
                 let tone = |p: f64| (0.5 + 0.5 * p / self.top_pressure).clamp(0.0, 1.0) as f32;
-                simulation.pressures().into_iter().map(|p| scale.at(tone(p))).collect()
+                let mut pressures = simulation.pressures();
+                // Who has none is at rest.
+                pressures.resize(simulation.particles(), 0.0);
+                pressures.into_iter().map(|p| scale.at(tone(p))).collect()
             }
             Shading::Material => {
-                let last = self.materials.len() - 1;
-                simulation.material_of().into_iter().map(|m| self.materials[last.min(m as usize)]).collect()
+                let colour = |m: u32| self.materials[(m as usize).min(self.materials.len() - 1)];
+                simulation.material_of().into_iter().map(colour).collect()
             }
         }
     }

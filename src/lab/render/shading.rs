@@ -1,7 +1,6 @@
 //! What the colours of particles tell.
 
-use allotrope_solvers::mpm::materials::Model;
-use allotrope_solvers::scene::Material;
+use allotrope_solvers::scene::Substance;
 use allotrope_solvers::{Simulation, nearest};
 
 use super::colour::Colour;
@@ -65,34 +64,30 @@ const FLUIDS: &[u32] = &[0x2f86e0, 0x27b8b0, 0x7fa8ff, 0x1d5fae];
 /// Colours of everything else, in turn.
 const SOLIDS: &[u32] = &[0xe5524a, 0x58b85c, 0x9a6be0, 0xe88f3c, 0xd46fb8, 0xc8c25a];
 
-/// A colour for each material: by its name where that tells one, else by its kind and place in the list. As long as
+/// A colour for each material, at least one: by its name where that tells one, else by its kind and place in the list. As long as
 /// there are enough of them, no two materials have the same.
-pub(super) fn material_colours(materials: &[Material]) -> Vec<Colour> {
+pub(super) fn material_colours(materials: &[Substance<'_>]) -> Vec<Colour> {
     let mut taken: Vec<u32> = Vec::new();
     for material in materials {
         let name = material.name.to_lowercase();
         let named = NAMED.iter().filter(|(word, _)| name.contains(word)).map(|(_, colour)| colour);
-        let (own, others) = match material.model {
-            Model::Fluid { .. } => (FLUIDS, SOLIDS),
-            _ => (SOLIDS, FLUIDS),
-        };
+        let (own, others) = if material.fluid { (FLUIDS, SOLIDS) } else { (SOLIDS, FLUIDS) };
         let mut wanted = named.chain(own).chain(others).copied();
         let free = wanted.find(|colour| !taken.contains(colour));
         taken.push(free.unwrap_or(own[taken.len() % own.len()]));
+    }
+    if taken.is_empty() {
+        taken.push(SOLIDS[0]);
     }
     taken.into_iter().map(Colour::hex).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use allotrope_solvers::mpm::materials::Elastic;
-
     use super::*;
 
-    fn material(name: &str, fluid: bool) -> Material {
-        let elastic = Elastic { mu: 1.0, lambda: 1.0 };
-        let model = if fluid { Model::Fluid { stiffness: 1.0 } } else { Model::Corotated(elastic) };
-        Material { name: name.into(), density: 1.0, model }
+    fn material(name: &str, fluid: bool) -> Substance<'_> {
+        Substance { name, density: 1.0, fluid }
     }
 
     #[test]
@@ -121,5 +116,6 @@ mod tests {
             }
         }
         assert_eq!(material_colours(&vec![material("", true); 30]).len(), 30);
+        assert_eq!(material_colours(&[]).len(), 1);
     }
 }

@@ -29,7 +29,7 @@ pub fn gate(solver: &SolverInfo, scene: &str) -> Result<Gate, LabError> {
 /// Runs a simulation to the end of its check, and prints what was found.
 ///
 /// # Errors
-/// If a step is refused, or a finding is out of its bounds.
+/// If a step is refused, the check's end is not reached, or a finding is out of its bounds.
 pub fn check(
     simulation: &mut dyn Simulation,
     watch: &mut dyn Watch,
@@ -40,10 +40,12 @@ pub fn check(
     let (steps, every, start) = (watch.steps(), watch.every().max(1), Instant::now());
     let mut reporter = Reporter::new(progress, quiet, steps, 0);
     watch.look(simulation);
-    while simulation.steps() < steps {
+    let until = watch.until();
+    let ended = |simulation: &dyn Simulation| until.is_some_and(|until| simulation.time() >= until);
+    while simulation.steps() < steps && !ended(simulation) {
         let next = (simulation.steps() + every).min(steps);
         schedule.run(|| {
-            while simulation.steps() < next {
+            while simulation.steps() < next && !ended(simulation) {
                 simulation.step()?;
                 reporter.step(simulation.steps());
             }
@@ -52,7 +54,14 @@ pub fn check(
         watch.look(simulation);
     }
     reporter.clear();
-    let findings = watch.findings();
+    if let Some(until) = until.filter(|_| !ended(simulation)) {
+        return Err(LabError::failure(format!(
+            "the check ends after {} s, and {steps} steps came to {} s",
+            number(until),
+            number(simulation.time())
+        )));
+    }
+    let (findings, steps) = (watch.findings(), simulation.steps());
     if !quiet {
         output::print(&text(&findings))?;
         output::print(&format!("{steps} steps in {:.2} s\n", start.elapsed().as_secs_f64()))?;
@@ -105,7 +114,7 @@ fn number(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use allotrope_solvers::{Scene, SceneInfo};
+    use allotrope_solvers::{Scene, SceneError, SceneInfo};
 
     use super::*;
 
@@ -192,8 +201,8 @@ mod tests {
 
     #[test]
     fn a_scene_without_a_check_says_so() {
-        fn fall(_scene: &Scene) -> Box<dyn Watch> {
-            Box::new(Fall { looks: Vec::new(), mass: 0.0, bound: 1.0 })
+        fn fall(_scene: &Scene) -> Result<Box<dyn Watch>, SceneError> {
+            Ok(Box::new(Fall { looks: Vec::new(), mass: 0.0, bound: 1.0 }))
         }
         const fn scene(name: &'static str, gate: Option<Gate>) -> SceneInfo {
             SceneInfo { name, about: "", text: "", gate }
@@ -201,10 +210,9 @@ mod tests {
         const SOME: &[SceneInfo] = &[scene("pool", None), scene("dam", Some(fall)), scene("disk", Some(fall))];
         const NONE: &[SceneInfo] = &[scene("pool", None)];
         let mpm = allotrope_solvers::solver("mpm").unwrap();
-        let with =
-            |scenes| SolverInfo { name: "mpm", about: "", scenes, layouts: &[], unfit: mpm.unfit, build: mpm.build };
+        let with = |scenes| SolverInfo { name: "mpm", about: "", scenes, layouts: &[], dimensions: 2..=3, ..*mpm };
         let some = with(SOME);
-        assert_eq!(gate(&some, "disk").unwrap()(&mpm.scene("mpm88").unwrap()).steps(), 5);
+        assert_eq!(gate(&some, "disk").unwrap()(&mpm.scene("mpm88").unwrap()).unwrap().steps(), 5);
         for name in ["pool", "my.toml"] {
             let error = gate(&some, name).unwrap_err();
             let wanted = format!("scene `{name}` has no check; those that have one are `dam`, `disk`");

@@ -62,6 +62,10 @@ pub(super) struct Frames<'a> {
     camera: Camera,
     /// Frames that there are.
     count: u64,
+    /// Simulated seconds at each of them.
+    times: Vec<f64>,
+    /// Whether there is a grid, of which files can be made.
+    grid: bool,
     /// The picture that was written last.
     picture: Option<PathBuf>,
     /// Its other files.
@@ -79,14 +83,16 @@ impl<'a> Frames<'a> {
     pub(super) fn new(simulation: &dyn Simulation, plan: &'a Plan) -> Self {
         let shading = plan.outputs.shading.unwrap_or_else(|| Shading::fitting(simulation));
         let camera = Camera::new(simulation, &plan.scene, shading);
-        Self { plan, camera, count: 0, picture: None, exports: Vec::new() }
+        let grid = !simulation.grid_shape().is_empty();
+        Self { plan, camera, count: 0, times: Vec::new(), grid, picture: None, exports: Vec::new() }
     }
 
-    /// Goes on after `count` frames of the same run.
+    /// Goes on after `count` frames of the same run, which were made at these times; a time that is not told is that of
+    /// steps that are all alike.
     ///
     /// # Errors
     /// If one of them is not in the folder, and wanted for what is made of all.
-    pub(super) fn already(&mut self, count: u64) -> Result<(), LabError> {
+    pub(super) fn already(&mut self, count: u64, times: &[f64]) -> Result<(), LabError> {
         let Outputs { gif, mp4, sheet, .. } = self.plan.outputs;
         let last = self.plan.calendar.frames(self.plan.calendar.steps);
         let wanted = gif || mp4 || sheet.unwrap_or(last > 1);
@@ -98,6 +104,8 @@ impl<'a> Frames<'a> {
                 missing.display()
             )));
         }
+        let alike = |frame: u64| self.plan.calendar.step(frame) as f64 * self.plan.scene.dt;
+        self.times = (0..count).map(|frame| times.get(frame as usize).copied().unwrap_or(alike(frame))).collect();
         self.count = count;
         self.picture = count.checked_sub(1).map(|frame| self.picture(frame));
         Ok(())
@@ -106,6 +114,11 @@ impl<'a> Frames<'a> {
     /// How many frames there are.
     pub(super) fn count(&self) -> u64 {
         self.count
+    }
+
+    /// Simulated seconds at each frame.
+    pub(super) fn times(&self) -> &[f64] {
+        &self.times
     }
 
     fn picture(&self, frame: u64) -> PathBuf {
@@ -131,6 +144,8 @@ impl<'a> Frames<'a> {
             }
         }
         self.count = frame + 1;
+        self.times.truncate(frame as usize);
+        self.times.push(simulation.time());
         let picture = self.picture.insert(picture);
         Ok(LastFrame { picture, exports: &self.exports })
     }
@@ -155,10 +170,11 @@ impl<'a> Frames<'a> {
             Export::Npz => {
                 vec![(self.file("particles", frame, "npz"), npz::write(&simulation.particle_arrays(), &[])?)]
             }
-            Export::Vtk => vec![
-                (self.file("particles", frame, "vtp"), vtk::particles(simulation)),
-                (self.file("grid", frame, "vti"), vtk::grid(simulation)),
-            ],
+            Export::Vtk => {
+                let particles = (self.file("particles", frame, "vtp"), vtk::particles(simulation));
+                let grid = self.grid.then(|| (self.file("grid", frame, "vti"), vtk::grid(simulation)));
+                [particles].into_iter().chain(grid).collect()
+            }
         })
     }
 
@@ -187,15 +203,16 @@ impl<'a> Frames<'a> {
                 .note("`ffmpeg` is not installed, and so there is no `animation.mp4`; `--gif` needs no other program");
         }
         if export.contains(&Export::Vtk) {
-            for (kind, ending) in [("particles", "vtp"), ("grid", "vti")] {
-                files.push(self.series(kind, ending)?);
+            files.push(self.series("particles", "vtp")?);
+            if self.grid {
+                files.push(self.series("grid", "vti")?);
             }
         }
         Ok(files)
     }
 
     fn time(&self, frame: u64) -> f64 {
-        self.plan.calendar.step(frame) as f64 * self.plan.scene.dt
+        self.times[frame as usize]
     }
 
     fn sheet(&self) -> Result<PathBuf, LabError> {

@@ -9,13 +9,14 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use allotrope::Schedule;
-use allotrope_solvers::scene::{Fill, Shape};
 use allotrope_solvers::{Scene, Simulation, SolverInfo};
 
 use super::checkpoint::{self, Checkpoint, Header, Planned};
 use super::errors::LabError;
 use super::machine::{self, NamedSchedule};
 use super::output;
+use super::render::Shading;
+use super::scene::size;
 use super::signals::Signals;
 pub use calendar::Calendar;
 pub use frames::{Export, Outputs};
@@ -54,8 +55,8 @@ impl Plan {
         Schedule { deterministic: self.deterministic, ..self.schedule.with_threads(self.threads) }
     }
 
-    /// What a checkpoint after `done` steps says.
-    fn header(&self, done: u64) -> Header {
+    /// What a checkpoint after `done` steps says, with the times of the frames up to then.
+    fn header(&self, done: u64, frame_times: Vec<f64>) -> Header {
         let Self { calendar, outputs, .. } = self;
         Header {
             format: checkpoint::FORMAT,
@@ -67,8 +68,9 @@ impl Plan {
             isa: machine::instruction_set(),
             steps_done: done,
             frames_done: calendar.frames(done),
+            frame_times,
             plan: Planned {
-                reorder: self.scene.reorder.to_string(),
+                reorder: self.scene.reorder().to_string(),
                 steps: calendar.steps,
                 every: calendar.every,
                 checkpoint_every: calendar.checkpoint_every,
@@ -94,11 +96,15 @@ impl Plan {
 pub fn run(plan: &Plan, resumed: Option<&Checkpoint>, progress: Progress, quiet: bool) -> Result<(), LabError> {
     let signals = Signals::listen()?;
     let mut simulation = (plan.solver.build)(&plan.scene, plan.layout)?;
+    if plan.outputs.shading == Some(Shading::Pressure) && simulation.pressures().is_empty() {
+        let message = format!("`--shading pressure` cannot be: particles of `{}` have no pressure", plan.solver.name);
+        return Err(LabError::usage(message));
+    }
     // The camera and the scale of colours are those of the start.
     let mut frames = Frames::new(&*simulation, plan);
     if let Some(checkpoint) = resumed {
         checkpoint.restore(&mut *simulation)?;
-        frames.already(plan.calendar.frames(simulation.steps()))?;
+        frames.already(plan.calendar.frames(simulation.steps()), &checkpoint.header.frame_times)?;
     }
     output::folder(&plan.out)?;
     let reporter = Reporter::new(progress, quiet, plan.calendar.steps, simulation.steps());
@@ -112,8 +118,8 @@ pub fn run(plan: &Plan, resumed: Option<&Checkpoint>, progress: Progress, quiet:
     }
     reporter.tell(&start(plan, &*simulation))?;
 
-    let (began, first) = (Instant::now(), simulation.steps());
-    let mut run = Run { plan, signals, frames, reporter, spent: Duration::ZERO, first, done: first };
+    let (began, first, time) = (Instant::now(), simulation.steps(), simulation.time());
+    let mut run = Run { plan, signals, frames, reporter, spent: Duration::ZERO, first, done: first, time };
     let outcome = run.advance(&mut *simulation);
     let (reason, error) = match outcome {
         Ok(None) => (Reason::Finished, None),
@@ -127,7 +133,7 @@ pub fn run(plan: &Plan, resumed: Option<&Checkpoint>, progress: Progress, quiet:
     let text = run.last_line(done, &files);
     let frames = run.frames.count();
     let seconds = began.elapsed().as_secs_f64();
-    let time = done as f64 * simulation.dt();
+    let time = run.time;
     run.reporter.tell(&Event::End { reason, step: done, time, seconds, frames, files: &files, text })?;
     error.map_or(Ok(()), Err)
 }
@@ -144,6 +150,8 @@ struct Run<'a> {
     first: u64,
     /// Steps that are done, without one that was refused.
     done: u64,
+    /// Simulated seconds after them.
+    time: f64,
 }
 
 impl Run<'_> {
@@ -159,7 +167,7 @@ impl Run<'_> {
             self.plan.schedule().run(|| {
                 while simulation.steps() < next && self.signals.asked().is_none() {
                     simulation.step()?;
-                    self.done = simulation.steps();
+                    (self.done, self.time) = (simulation.steps(), simulation.time());
                     self.reporter.step(self.done);
                 }
                 Ok::<(), LabError>(())
@@ -190,7 +198,12 @@ impl Run<'_> {
     fn checkpoint(&mut self, simulation: &dyn Simulation) -> Result<PathBuf, LabError> {
         let file = self.plan.out.join(checkpoint::FILE);
         let step = simulation.steps();
-        checkpoint::save(&file, &self.plan.header(step), &self.plan.scene.text, &simulation.save())?;
+        checkpoint::save(
+            &file,
+            &self.plan.header(step, self.frames.times().to_vec()),
+            &self.plan.scene.text,
+            &simulation.save(),
+        )?;
         self.reporter.tell(&Event::Checkpoint { step, time: simulation.time(), file: &file })?;
         Ok(file)
     }
@@ -209,7 +222,7 @@ impl Run<'_> {
 
     fn last_line(&self, done: u64, files: &[PathBuf]) -> String {
         let steps = done - self.first;
-        let mut line = format!("{steps} steps (to {:.3} s simulated)", done as f64 * self.plan.scene.dt);
+        let mut line = format!("{steps} steps (to {:.3} s simulated)", self.time);
         if steps > 0 {
             let seconds = self.spent.as_secs_f64();
             line += &format!(
@@ -242,13 +255,12 @@ fn start<'a>(plan: &'a Plan, simulation: &dyn Simulation) -> Event<'a> {
     let (particles, grid) = (simulation.particles(), simulation.grid_shape());
     let (threads, isa) = (machine::threads(plan.threads), machine::instruction_set());
     let (seeds, step) = (seeds(scene), simulation.steps());
-    let nodes: Vec<String> = grid.iter().map(usize::to_string).collect();
     let numbers: Vec<String> = seeds.iter().map(u64::to_string).collect();
     let mut text = format!(
-        "{} of scene {} in {layout}: {particles} particles, {} nodes, {threads} threads, {isa}, seed {}",
+        "{} of scene {} in {layout}: {}, {threads} threads, {isa}, seed {}",
         solver.name,
         scene.file,
-        nodes.join(" x "),
+        size(particles, "", &grid),
         numbers.join(", ")
     );
     if *deterministic {
@@ -275,15 +287,10 @@ fn start<'a>(plan: &'a Plan, simulation: &dyn Simulation) -> Event<'a> {
     }
 }
 
-/// The seeds of all bodies that are placed at random, each once; that of the scene if there are none.
+/// The seeds of all that is placed at random, each once; that of the scene if nothing is.
 fn seeds(scene: &Scene) -> Vec<u64> {
-    let random = scene.bodies.iter().filter_map(|body| match &body.shape {
-        Shape::Box { fill: Fill::Random { seed, .. }, .. } => Some(*seed),
-        Shape::Box { fill: Fill::Lattice { jitter, seed }, .. } if *jitter > 0.0 => Some(*seed),
-        _ => None,
-    });
     let mut seeds = Vec::new();
-    for seed in random {
+    for seed in scene.setup.seeds() {
         if !seeds.contains(&seed) {
             seeds.push(seed);
         }

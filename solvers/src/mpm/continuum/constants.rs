@@ -3,7 +3,7 @@
 use allotrope::spatial::*;
 
 use crate::Scene;
-use crate::scene::{Forces, Scheme};
+use crate::mpm::{Forces, MpmSetup, Scheme};
 
 /// A scene's constants.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,10 +31,10 @@ pub struct Constants {
 
 impl Constants {
     /// The constants of a scene.
-    pub fn new(scene: &Scene) -> Self {
-        let dx = scene.dx();
-        let width = scene.transfer.spline.width();
-        let (blend, modes) = match scene.transfer.scheme {
+    pub fn new(scene: &Scene, setup: &MpmSetup) -> Self {
+        let dx = setup.dx();
+        let width = setup.transfer.spline.width();
+        let (blend, modes) = match setup.transfer.scheme {
             Scheme::Flip { blend } => (blend, 0),
             Scheme::PolyPic { modes } => (0.0, modes),
             Scheme::Pic | Scheme::Apic => (0.0, 0),
@@ -48,10 +48,10 @@ impl Constants {
             dx: dx as f32,
             inv_dx: (1.0 / dx) as f32,
             dt: scene.dt as f32,
-            impulse: (-scene.dt * scene.particle_volume()) as f32,
+            impulse: (-scene.dt * setup.particle_volume()) as f32,
             width: width as i32,
             inv_moment: (inv_moment / (dx * dx)) as f32,
-            least_squares: scene.transfer.forces == Forces::LeastSquares,
+            least_squares: setup.transfer.forces == Forces::LeastSquares,
             blend: blend as f32,
             modes,
         }

@@ -6,6 +6,7 @@ use allotrope::spatial::*;
 
 use super::carrier::Carrier;
 use super::{Dimensions, Transfers};
+use crate::mpm::MpmSetup;
 use crate::mpm::convert::{matrices, matrix, node, rows, saved_matrices, saved_vectors, triple, vector, vectors};
 use crate::mpm::grid;
 use crate::mpm::materials::Model;
@@ -42,27 +43,27 @@ pub(in crate::mpm) struct Body<X: Spatial> {
 impl<X: Dimensions, C: Carrier<X>, P: Layout<I>, G: Layout<X>> Medium for Continuum<X, C, P, G> {
     const DEFORMS: bool = true;
 
-    fn new(scene: &Scene, particles: &Particles) -> Result<Self, String> {
+    fn new(scene: &Scene, setup: &MpmSetup, particles: &Particles) -> Result<Self, String> {
         let fault = |error: allotrope::ShapeError| error.to_string();
-        let mpm = Transfers::new(scene);
+        let mpm = Transfers::new(scene, setup);
         let mut points = Field::<C::Point, P>::try_new([particles.x.len()]).map_err(fault)?;
         for p in 0..particles.x.len() {
-            let material = &scene.materials[particles.material[p] as usize];
+            let material = &setup.materials[particles.material[p] as usize];
             let body = Body {
                 x: vector::<X, f32>(particles.x[p]),
                 v: vector::<X, f32>(particles.v[p]),
                 c: matrix::<X, f32>(particles.c[p]),
                 stress: X::Mat::<f32>::zero(),
-                mass: (scene.particle_volume() * material.density) as f32,
+                mass: (setup.particle_volume() * material.density) as f32,
                 deformation_gradient: X::Mat::<f32>::identity(),
                 plastic: Vec2::from_array(material.model.initial_plastic()),
                 material: particles.material[p],
             };
             points.set(p, C::point(&body, &mpm));
         }
-        let grid = grid::make(scene)?;
-        let materials = scene.materials.iter().map(|material| material.model).collect();
-        Ok(Self { points, grid, shape: grid::shape(scene), mpm, obstacles: Obstacles::new(scene), materials })
+        let grid = grid::make(setup)?;
+        let materials = setup.materials.iter().map(|material| material.model).collect();
+        Ok(Self { points, grid, shape: grid::shape(setup), mpm, obstacles: Obstacles::new(setup), materials })
     }
 
     fn clear(&mut self) {

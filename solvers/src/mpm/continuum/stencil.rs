@@ -3,6 +3,7 @@
 use allotrope::spatial::*;
 
 use crate::Scene;
+use crate::mpm::MpmSetup;
 use crate::mpm::continuum::Constants;
 use crate::mpm::convert::vector;
 
@@ -30,8 +31,8 @@ pub struct Stencil<X: Spatial> {
 
 impl<X: Spatial> Transfers<X> {
     /// The constants of a scene.
-    pub fn new(scene: &Scene) -> Self {
-        Self { constants: Constants::new(scene), gravity: vector::<X, f32>(scene.gravity) }
+    pub fn new(scene: &Scene, setup: &MpmSetup) -> Self {
+        Self { constants: Constants::new(scene, setup), gravity: vector::<X, f32>(scene.gravity) }
     }
 
     /// The nodes around a place.

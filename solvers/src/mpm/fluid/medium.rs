@@ -7,6 +7,7 @@ use allotrope::spatial::*;
 use super::kernels::{clear, count_broken, grid_to_particle, particle_to_grid, update_grid};
 use super::parameters::Mpm;
 use super::records::{Node, Point};
+use crate::mpm::MpmSetup;
 use crate::mpm::convert::{matrices, matrix, node, rows, saved_matrices, saved_vectors, triple, vector, vectors};
 use crate::mpm::grid;
 use crate::mpm::medium::{Medium, Particle, block_major};
@@ -30,15 +31,15 @@ pub(in crate::mpm) struct Fluid<X: Spatial, P: Layout<I>, G: Layout<X>> {
 impl<X: Spatial, P: Layout<I>, G: Layout<X>> Medium for Fluid<X, P, G> {
     const DEFORMS: bool = false;
 
-    fn new(scene: &Scene, particles: &Particles) -> Result<Self, String> {
+    fn new(scene: &Scene, setup: &MpmSetup, particles: &Particles) -> Result<Self, String> {
         let fault = |error: allotrope::ShapeError| error.to_string();
         let mut points = Field::<Point<X>, P>::try_new([particles.x.len()]).map_err(fault)?;
-        let grid = grid::make(scene)?;
+        let grid = grid::make(setup)?;
         for (p, ((x, v), c)) in particles.x.iter().zip(&particles.v).zip(&particles.c).enumerate() {
             let (x, v) = (vector::<X, f32>(*x), vector::<X, f32>(*v));
             points.set(p, Point { x, v, c: matrix::<X, f32>(*c), j: 1.0 });
         }
-        Ok(Self { points, grid, shape: grid::shape(scene), mpm: Mpm::new(scene) })
+        Ok(Self { points, grid, shape: grid::shape(setup), mpm: Mpm::new(scene, setup) })
     }
 
     fn clear(&mut self) {

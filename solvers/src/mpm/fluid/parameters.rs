@@ -2,8 +2,9 @@
 
 use allotrope::spatial::*;
 
+use crate::Scene;
+use crate::mpm::MpmSetup;
 use crate::mpm::convert::vector;
-use crate::scene::Scene;
 
 /// A fluid's constants.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,10 +33,10 @@ pub struct Mpm<X: Spatial, T: Real = f32> {
 
 impl<X: Spatial, T: Real> Mpm<X, T> {
     /// The constants of a scene.
-    pub fn new(scene: &Scene) -> Self {
-        let (dx, wall) = (scene.dx(), scene.wall as i32);
-        let volume = scene.particle_volume();
-        let material = &scene.materials[0];
+    pub fn new(scene: &Scene, setup: &MpmSetup) -> Self {
+        let (dx, wall) = (setup.dx(), setup.wall as i32);
+        let volume = setup.particle_volume();
+        let material = &setup.materials[0];
         let stiffness = material.model.wave_modulus();
         Self {
             dx: T::from_f64(dx),
@@ -46,7 +47,7 @@ impl<X: Spatial, T: Real> Mpm<X, T> {
             stiffness: T::from_f64(stiffness),
             gravity: vector::<X, T>(scene.gravity),
             wall,
-            inner: X::Index::from_fn(|axis| scene.grid[axis] as i32 - wall),
+            inner: X::Index::from_fn(|axis| setup.grid[axis] as i32 - wall),
         }
     }
 

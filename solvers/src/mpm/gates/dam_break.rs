@@ -1,6 +1,7 @@
 //! The front of a column of water that is let go (Martin & Moyce 1952).
 
 use super::{step_at, within};
+use crate::mpm::MpmSetup;
 use crate::{Finding, Scene, Simulation, Watch};
 
 const SOURCE: &str = "Martin & Moyce 1952, table 2 (n^2 = 2)";
@@ -25,8 +26,8 @@ pub(super) struct DamBreak {
 }
 
 impl DamBreak {
-    pub(super) fn new(scene: &Scene) -> Self {
-        let (width, from) = match &scene.bodies[0].shape {
+    pub(super) fn new(scene: &Scene, setup: &MpmSetup) -> Self {
+        let (width, from) = match &setup.bodies[0].shape {
             crate::scene::Shape::Box { from, to, .. } => (to[0] - from[0], from[0]),
             _ => (1.0, 0.0),
         };

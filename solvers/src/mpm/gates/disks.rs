@@ -1,6 +1,7 @@
 //! Two elastic disks that collide (Sulsky, Chen & Schreyer 1994).
 
 use super::{scheme, step_at, within};
+use crate::mpm::MpmSetup;
 use crate::{Finding, Scene, Simulation, Watch};
 
 const SOURCE: &str = "Sulsky, Chen & Schreyer 1994; numbers of an independent program in double precision";
@@ -27,6 +28,7 @@ const APPROACH: f64 = 0.2828427;
 
 pub(super) struct Disks {
     scene: Scene,
+    setup: MpmSetup,
     start: f64,
     contact: Option<f64>,
     kinetic: Vec<(f64, f64)>,
@@ -36,9 +38,10 @@ pub(super) struct Disks {
 }
 
 impl Disks {
-    pub(super) fn new(scene: &Scene) -> Self {
+    pub(super) fn new(scene: &Scene, setup: &MpmSetup) -> Self {
         Self {
             scene: scene.clone(),
+            setup: setup.clone(),
             start: 0.0,
             contact: None,
             kinetic: Vec::new(),
@@ -76,7 +79,7 @@ impl Watch for Disks {
     }
 
     fn findings(&self) -> Vec<Finding> {
-        let early = 3.0 * self.scene.dx() / APPROACH;
+        let early = 3.0 * self.setup.dx() / APPROACH;
         let mut findings = vec![
             within(
                 "kinetic energy at the start in J".into(),
@@ -103,8 +106,8 @@ impl Watch for Disks {
             },
             within("largest total momentum in kg m/s".into(), self.momentum, 0.0, 1e-3, "conservation"),
         ];
-        let cells = 1.0 / self.scene.dx();
-        let row = TABLE.iter().find(|row| Some(row.0) == scheme(&self.scene) && (row.1 - cells).abs() < 1e-6);
+        let cells = 1.0 / self.setup.dx();
+        let row = TABLE.iter().find(|row| Some(row.0) == scheme(&self.setup) && (row.1 - cells).abs() < 1e-6);
         if let Some((_, _, kinetic, end)) = row {
             for ((time, measured), expected) in self.kinetic.iter().zip(kinetic) {
                 let what = format!("kinetic energy at {time} s over that at the start");

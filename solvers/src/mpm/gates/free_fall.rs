@@ -41,7 +41,7 @@ impl Watch for FreeFall {
             self.start = Some(state);
         } else {
             self.end = Some(state);
-            self.grid_mass = simulation.grid_mass();
+            self.grid_mass = simulation.grid_mass().unwrap_or(f64::NAN);
         }
     }
 

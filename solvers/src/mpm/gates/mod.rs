@@ -6,26 +6,30 @@ mod free_fall;
 mod sand_column;
 mod spinning_disk;
 
-use crate::{Finding, Scene, Watch};
+use super::{Forces, MpmSetup, Scheme, Spline};
+use crate::{Finding, Scene, SceneError, Watch};
 
-pub(super) fn dam_break(scene: &Scene) -> Box<dyn Watch> {
-    Box::new(dam_break::DamBreak::new(scene))
+/// What watches a scene, or that it is of another solver.
+type Watched = Result<Box<dyn Watch>, SceneError>;
+
+pub(super) fn dam_break(scene: &Scene) -> Watched {
+    Ok(Box::new(dam_break::DamBreak::new(scene, scene.setup()?)))
 }
 
-pub(super) fn disks(scene: &Scene) -> Box<dyn Watch> {
-    Box::new(disks::Disks::new(scene))
+pub(super) fn disks(scene: &Scene) -> Watched {
+    Ok(Box::new(disks::Disks::new(scene, scene.setup()?)))
 }
 
-pub(super) fn free_fall(scene: &Scene) -> Box<dyn Watch> {
-    Box::new(free_fall::FreeFall::new(scene))
+pub(super) fn free_fall(scene: &Scene) -> Watched {
+    Ok(Box::new(free_fall::FreeFall::new(scene)))
 }
 
-pub(super) fn sand_column(scene: &Scene) -> Box<dyn Watch> {
-    Box::new(sand_column::SandColumn::new(scene))
+pub(super) fn sand_column(scene: &Scene) -> Watched {
+    Ok(Box::new(sand_column::SandColumn::new(scene, scene.setup()?)))
 }
 
-pub(super) fn spinning_disk(scene: &Scene) -> Box<dyn Watch> {
-    Box::new(spinning_disk::SpinningDisk::new(scene))
+pub(super) fn spinning_disk(scene: &Scene) -> Watched {
+    Ok(Box::new(spinning_disk::SpinningDisk::new(scene, scene.setup()?)))
 }
 
 /// A finding that passes within `tolerance` of what is expected.
@@ -39,12 +43,11 @@ fn step_at(scene: &Scene, time: f64) -> u64 {
 }
 
 /// The scheme of a scene as tables of results name it; none for a blend or a polynomial, of which they say nothing.
-fn scheme(scene: &Scene) -> Option<&'static str> {
-    use crate::scene::{Forces, Scheme, Spline};
-    if scene.transfer.spline != Spline::Quadratic || scene.transfer.forces != Forces::LeastSquares {
+fn scheme(setup: &MpmSetup) -> Option<&'static str> {
+    if setup.transfer.spline != Spline::Quadratic || setup.transfer.forces != Forces::LeastSquares {
         return None;
     }
-    match scene.transfer.scheme {
+    match setup.transfer.scheme {
         Scheme::Apic => Some("APIC"),
         Scheme::Pic => Some("PIC"),
         Scheme::Flip { blend: 1.0 } => Some("FLIP"),

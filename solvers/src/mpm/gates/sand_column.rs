@@ -1,6 +1,7 @@
 //! How far a column of sand runs out (Lube et al. 2005).
 
 use super::{step_at, within};
+use crate::mpm::MpmSetup;
 use crate::{Finding, Scene, Simulation, Watch};
 
 const SOURCE: &str = "Lube, Huppert, Sparks & Freundt 2005, planar columns below h / d = 1.8";
@@ -16,8 +17,8 @@ pub(super) struct SandColumn {
 }
 
 impl SandColumn {
-    pub(super) fn new(scene: &Scene) -> Self {
-        let (width, height, from) = match &scene.bodies[0].shape {
+    pub(super) fn new(scene: &Scene, setup: &MpmSetup) -> Self {
+        let (width, height, from) = match &setup.bodies[0].shape {
             crate::scene::Shape::Box { from, to, .. } => (to[0] - from[0], to[1] - from[1], from[0]),
             _ => (1.0, 1.0, 0.0),
         };

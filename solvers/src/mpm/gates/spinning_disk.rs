@@ -1,6 +1,7 @@
 //! What PIC, FLIP and APIC keep of a free spinning disk's angular momentum.
 
 use super::{scheme, step_at, within};
+use crate::mpm::MpmSetup;
 use crate::{Finding, Scene, Simulation, Watch};
 
 const SOURCE: &str =
@@ -16,6 +17,7 @@ const CONTINUUM: f64 = 1.017876e-2;
 
 pub(super) struct SpinningDisk {
     scene: Scene,
+    setup: MpmSetup,
     start: f64,
     start_energy: f64,
     /// Relative angular momentum at each of the times.
@@ -24,8 +26,15 @@ pub(super) struct SpinningDisk {
 }
 
 impl SpinningDisk {
-    pub(super) fn new(scene: &Scene) -> Self {
-        Self { scene: scene.clone(), start: 0.0, start_energy: 0.0, kept: Vec::new(), end_energy: 0.0 }
+    pub(super) fn new(scene: &Scene, setup: &MpmSetup) -> Self {
+        Self {
+            scene: scene.clone(),
+            setup: setup.clone(),
+            start: 0.0,
+            start_energy: 0.0,
+            kept: Vec::new(),
+            end_energy: 0.0,
+        }
     }
 
     fn about_middle(&self, simulation: &dyn Simulation) -> f64 {
@@ -56,7 +65,7 @@ impl Watch for SpinningDisk {
     fn findings(&self) -> Vec<Finding> {
         let mut findings =
             vec![within("L0 in kg m^2/s".into(), self.start, CONTINUUM, 0.015 * CONTINUUM, "rho pi R^4 omega / 2")];
-        let (kept, tolerance, energy) = match scheme(&self.scene) {
+        let (kept, tolerance, energy) = match scheme(&self.setup) {
             Some("PIC") => (PIC, 2e-4, None),
             Some("FLIP") => (FLIP, 2e-4, Some(0.992531)),
             // Any affine or richer field keeps all of it.

@@ -1,7 +1,7 @@
 //! How a scene moves velocity between particles and grid.
 
-use super::SceneError;
-use super::keys::Keys;
+use crate::SceneError;
+use crate::scene::Keys;
 
 /// What particles hand to the grid, and take from it.
 #[derive(Clone, Copy, Debug, PartialEq)]

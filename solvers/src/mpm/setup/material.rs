@@ -1,9 +1,8 @@
 //! Materials of a scene.
 
-use super::SceneError;
-use super::keys::Keys;
+use crate::SceneError;
 use crate::mpm::materials::{Elastic, Model, Sand, Snow};
-use crate::nearest::hint;
+use crate::scene::Keys;
 
 /// What bodies are of.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,15 +40,6 @@ pub(super) fn read(keys: &Keys<'_>) -> Result<Vec<Material>, SceneError> {
         materials.push(material);
     }
     Ok(materials)
-}
-
-/// Which of the materials a body asks for; the first, if it asks for none.
-pub(super) fn index(body: &Keys<'_>, materials: &[Material]) -> Result<usize, SceneError> {
-    let Some(name) = body.text("material")? else { return Ok(0) };
-    materials.iter().position(|material| material.name == name).ok_or_else(|| {
-        let known = materials.iter().map(|material| material.name.as_str());
-        body.fault("material", format!("is not the name of a material{}", hint(name, known)))
-    })
 }
 
 impl Material {
