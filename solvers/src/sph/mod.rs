@@ -10,5 +10,6 @@
 
 pub mod neighbours;
 pub mod smoothing;
+pub mod wcsph;
 
 pub use smoothing::{Smoothing, Spline};

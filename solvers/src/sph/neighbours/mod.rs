@@ -82,7 +82,7 @@ pub trait Walk<X: Spatial>: Copy + Send + Sync {
 }
 
 /// Finds neighbours in one of the four ways.
-pub trait Search<X: Spatial>: Send + Sized {
+pub trait Search<X: Spatial>: Send + Sync + Sized {
     /// How kernels go through what was found.
     type Walk: Walk<X>;
 
