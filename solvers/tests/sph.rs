@@ -4,3 +4,5 @@
 mod neighbours;
 #[path = "sph/smoothing.rs"]
 mod smoothing;
+#[path = "sph/wcsph.rs"]
+mod wcsph;

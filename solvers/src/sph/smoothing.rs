@@ -5,7 +5,7 @@ use allotrope::prelude::*;
 /// A form of the smoothing kernel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Spline {
-    /// The cubic spline M4, which ends at two smoothing lengths (Monaghan & Lattanzio 1985; Monaghan 1992, section 7).
+    /// The cubic spline M4, which ends at two smoothing lengths (Monaghan & Lattanzio 1985; Monaghan 1992).
     #[default]
     Cubic,
     /// The Gaussian, cut off at three smoothing lengths, where it has fallen to 1.2e-4 of its height.

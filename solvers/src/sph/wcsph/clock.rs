@@ -29,7 +29,7 @@ pub struct Extremes {
 }
 
 impl TimeStep {
-    /// The step that a fluid bears, and `most` at most (Monaghan 1992, section 10; Becker & Teschner 2007, section 3.4). The
+    /// The step that a fluid bears, and `most` at most (Monaghan 1992; Becker & Teschner 2007). The
     /// speed of sound is that at the highest density, `c (rho / density)^((exponent - 1) / 2)`.
     pub fn new<X: Spatial>(fluid: &Fluid<X>, extremes: &Extremes, most: f64) -> Self {
         let h = f64::from(fluid.kernel.smoothing_length());

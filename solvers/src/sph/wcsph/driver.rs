@@ -31,7 +31,8 @@ impl<X: Spatial, P: Layout<I>, S: Search<X>> Driver<X, P, S> {
         let places = setup.wall_places().map_err(|fault| scene.fault("sides", fault))?;
         let places: Vec<X::Vec<f32>> = places.into_iter().map(vector::<X, f32>).collect();
         let walls = Walls::new(&places, &fluid.kernel).map_err(memory)?;
-        let start: Vec<_> = particles.x.iter().zip(&particles.v).map(|(x, v)| (vector::<X, f32>(*x), vector::<X, f32>(*v))).collect();
+        let start: Vec<_> =
+            particles.x.iter().zip(&particles.v).map(|(x, v)| (vector::<X, f32>(*x), vector::<X, f32>(*v))).collect();
         let options = Options {
             skin: (setup.skin * setup.smoothing_length()) as f32,
             most: setup.most,
@@ -68,7 +69,7 @@ impl<X: Spatial, P: Layout<I>, S: Search<X>> Driver<X, P, S> {
         }
     }
 
-    /// Gravity, which may rise from zero: by `(sin((t / T - 1 / 2) pi) + 1) / 2` (Adami et al. 2012, eq. 13).
+    /// Gravity, which may rise from zero: by `(sin((t / T - 1 / 2) pi) + 1) / 2` (Adami et al. 2012).
     fn gravity(&self) -> X::Vec<f32> {
         let gravity = vector::<X, f32>(self.scene.gravity);
         if self.time >= self.setup.ramp {
@@ -101,7 +102,9 @@ impl<X: Spatial, P: Layout<I>, S: Search<X>> Driver<X, P, S> {
                     ("near it", "raise `neighbours.most`")
                 };
                 let named = self.identity[particle];
-                format!("particle {named} at {at} has {count} particles {where_}, and its list holds at most {most}; {cure}")
+                format!(
+                    "particle {named} at {at} has {count} particles {where_}, and its list holds at most {most}; {cure}"
+                )
             }
             Fault::Broken(count) => {
                 let most = (self.setup.smoothing_length() / self.last.dt) as f32;
@@ -111,7 +114,8 @@ impl<X: Spatial, P: Layout<I>, S: Search<X>> Driver<X, P, S> {
                 let named = broken.min_by_key(|(_, identity)| **identity);
                 let others = if count > 1 { format!(", and {} others", count - 1) } else { String::new() };
                 let what = named.map_or("a particle".to_string(), |(particle, identity)| {
-                    let (x, v) = (place(triple::<X>(particle.x), dimensions), place(triple::<X>(particle.v), dimensions));
+                    let (x, v) =
+                        (place(triple::<X>(particle.x), dimensions), place(triple::<X>(particle.v), dimensions));
                     format!("particle {identity} at {x} has the velocity {v} and the density {}", particle.rho)
                 });
                 format!(

@@ -7,11 +7,11 @@ use crate::sph::Smoothing;
 /// What keeps the fluid off walls.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Boundary {
-    /// Particles of walls stand for volumes of the fluid at rest (Akinci et al. 2012, eqs. 4 and 6), and take over the pressure
-    /// of the particle beside them, to which the weight of the fluid between is added (Adami et al. 2012, eq. 27, for one particle).
+    /// Particles of walls stand for volumes of the fluid at rest (Akinci et al. 2012), and take over the pressure
+    /// of the particle beside them, to which the weight of the fluid between is added (Adami et al. 2012, for one particle).
     #[default]
     Volumes,
-    /// Particles of walls repel (Monaghan 2005, eqs. 5.4 and 5.5).
+    /// Particles of walls repel (Monaghan 2005).
     Repulsion,
 }
 
@@ -27,7 +27,7 @@ pub struct Fluid<X: Spatial> {
     /// The speed of sound at rest in m/s.
     pub sound: f32,
     /// Pressure is `stiffness ((rho / density)^exponent - offset)`: Tait's equation with the exponent 7 and the offset 1,
-    /// a gas' with the exponent 1 and the offset 0 or 1 (Becker & Teschner 2007, eqs. 6 to 9).
+    /// a gas' with the exponent 1 and the offset 0 or 1 (Becker & Teschner 2007).
     pub exponent: i32,
     /// In Pa: `density sound^2 / exponent`.
     pub stiffness: f32,
@@ -75,8 +75,8 @@ impl<X: Spatial> Fluid<X> {
 
     /// The artificial viscosity of a pair, in m^5/(kg s^2): `approach` is `(v_a - v_b) . (x_a - x_b)`, `sounds` and
     /// `densities` are the sums of both. With `zeta = -h approach / (r^2 + 0.01 h^2)`, where particles approach, it is
-    /// `(alpha c zeta + beta zeta^2) / rho` in means of both (Monaghan 1989, eqs. 4.9 to 4.11, and 1992, eq. 4.2; with `beta`
-    /// zero, Becker & Teschner 2007, eqs. 10 and 11).
+    /// `(alpha c zeta + beta zeta^2) / rho` in means of both (Monaghan 1989, and 1992; with `beta`
+    /// zero, Becker & Teschner 2007).
     #[inline(always)]
     pub fn viscosity(&self, approach: f32, squared: f32, sounds: f32, densities: f32) -> f32 {
         let h = self.kernel.smoothing_length();
@@ -84,8 +84,7 @@ impl<X: Spatial> Fluid<X> {
         zeta * (self.alpha * sounds + 2.0 * self.beta * zeta) / densities
     }
 
-    /// A wall particle's repulsion over the distance: times the vector from it, an acceleration in m/s^2 (Monaghan 2005, eqs.
-    /// 5.4 and 5.5, for a wall particle as heavy as those of the fluid). It ends at two smoothing lengths.
+    /// A wall particle's repulsion over the distance: times the vector from it, an acceleration in m/s^2 (Monaghan 2005, for a wall particle as heavy as those of the fluid). It ends at two smoothing lengths.
     #[inline(always)]
     pub fn repulsion(&self, squared: f32) -> f32 {
         let h = self.kernel.smoothing_length();

@@ -16,7 +16,7 @@ pub fn note<X: Spatial>(particles: &Field<Particle<X>, _>, x: &mut Field<X::Vec<
     }
 }
 
-/// Density by summation, `rho_a = sum_b m W_ab`, and what follows from it (Monaghan 1992, eq. 3.8).
+/// Density by summation, `rho_a = sum_b m W_ab`, and what follows from it (Monaghan 1992).
 #[kernel(contract)]
 pub fn sum_density<X: Spatial, W: Walk<X>>(
     particles: &mut Field<Particle<X>, _>,
@@ -46,7 +46,7 @@ pub fn sum_density<X: Spatial, W: Walk<X>>(
 }
 
 /// Density by the continuity equation, `d rho_a / dt = sum_b m (v_a - v_b) . grad_a W_ab`, over a step, and what follows from
-/// it (Monaghan 1992, eq. 2.17).
+/// it (Monaghan 1992).
 #[kernel(contract)]
 pub fn advance_density<X: Spatial, W: Walk<X>>(
     particles: &mut Field<Particle<X>, _>,
@@ -93,8 +93,8 @@ pub fn renew_state<X: Spatial>(particles: &mut Field<Particle<X>, _>, fluid: &Fl
     }
 }
 
-/// Accelerations: `-sum_b m (p_a / rho_a^2 + p_b / rho_b^2 + Pi_ab) grad_a W_ab + g` (Monaghan 1992, eqs. 3.3 and 4.1), surface tension
-/// `-kappa sum_b m W_ab (x_a - x_b)` (Becker & Teschner 2007, eq. 13, which is not normalised), and walls. Returns what bounds the
+/// Accelerations: `-sum_b m (p_a / rho_a^2 + p_b / rho_b^2 + Pi_ab) grad_a W_ab + g` (Monaghan 1992), surface tension
+/// `-kappa sum_b m W_ab (x_a - x_b)` (Becker & Teschner 2007, which is not normalised), and walls. Returns what bounds the
 /// step.
 #[kernel(contract)]
 pub fn accelerate<X: Spatial, W: Walk<X>>(
@@ -116,8 +116,7 @@ pub fn accelerate<X: Spatial, W: Walk<X>>(
             let squared = d.length_squared();
             if squared < fluid.kernel.support_squared() {
                 let approach = (v - particles.v[q]).dot(d);
-                let viscosity =
-                    fluid.viscosity(approach, squared, sound + particles.sound[q], rho + particles.rho[q]);
+                let viscosity = fluid.viscosity(approach, squared, sound + particles.sound[q], rho + particles.rho[q]);
                 let mut factor = (push + particles.push[q] + viscosity) * fluid.kernel.slope(squared);
                 if fluid.tension > 0.0 {
                     factor += fluid.tension * fluid.kernel.weight(squared);
@@ -177,7 +176,7 @@ pub fn drift<X: Spatial>(particles: &mut Field<Particle<X>, _>, dt: f32) {
     }
 }
 
-/// The volumes for which particles of walls stand, `1 / sum_c W_bc` (Akinci et al. 2012, eq. 4).
+/// The volumes for which particles of walls stand, `1 / sum_c W_bc` (Akinci et al. 2012).
 #[kernel(contract)]
 pub fn measure<X: Spatial>(
     walls: &mut Field<WallParticle<X>, Soa>,

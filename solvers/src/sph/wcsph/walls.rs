@@ -25,9 +25,8 @@ impl<X: Spatial> Walls<X> {
     /// Where memory is refused.
     pub fn new(places: &[X::Vec<f32>], kernel: &Smoothing) -> Result<Self, ShapeError> {
         let mut particles = Field::<WallParticle<X>, Soa>::try_new([places.len()])?;
-        let bound = |pick: fn(X::Vec<f32>, X::Vec<f32>) -> X::Vec<f32>| {
-            places.iter().copied().reduce(pick).unwrap_or_default()
-        };
+        let bound =
+            |pick: fn(X::Vec<f32>, X::Vec<f32>) -> X::Vec<f32>| places.iter().copied().reduce(pick).unwrap_or_default();
         let options = Options {
             radius: kernel.support(),
             lower: bound(|a, b| a.min(b)),

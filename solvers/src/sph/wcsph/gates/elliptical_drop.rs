@@ -1,4 +1,4 @@
-//! The semi-axes of a drop that is stretched (Monaghan 1994, section 4.1).
+//! The semi-axes of a drop that is stretched (Monaghan 1994).
 
 use super::{MOST_STEPS, within};
 use crate::scene::{Body, Shape};

@@ -4,7 +4,7 @@ use super::{MOST_STEPS, WcsphSetup, corners, within};
 use crate::scene::Body;
 use crate::{Finding, Scene, Simulation, Watch};
 
-const SOURCE: &str = "p = rho g (H - y); the tank is that of Adami, Hu & Adams 2012, section 4.1";
+const SOURCE: &str = "p = rho g (H - y); the tank is that of Adami, Hu & Adams 2012";
 
 /// From when on, and until when, in s, pressure is averaged.
 const FROM: f64 = 1.9;

@@ -6,7 +6,7 @@ use crate::scene::Keys;
 /// How pressure follows density.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum State {
-    /// `c^2 rho_0 / n ((rho / rho_0)^n - 1)` with a whole number `n` (Becker & Teschner 2007, eq. 7).
+    /// `c^2 rho_0 / n ((rho / rho_0)^n - 1)` with a whole number `n` (Becker & Teschner 2007).
     Tait(i32),
     /// `c^2 (rho - rho_0)`.
     Linear,

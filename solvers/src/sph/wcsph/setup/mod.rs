@@ -75,8 +75,7 @@ pub(super) const KEYS: &[&str] = &[
     "collider",
 ];
 
-const SIDE_KEYS: &[&str] =
-    &["boundary", "layers", "friction", "left", "right", "floor", "ceiling", "back", "front"];
+const SIDE_KEYS: &[&str] = &["boundary", "layers", "friction", "left", "right", "floor", "ceiling", "back", "front"];
 const NEIGHBOUR_KEYS: &[&str] = &["skin", "most"];
 
 /// Reads this solver's part of a scene.
@@ -87,10 +86,13 @@ pub(super) fn read(keys: &Keys<'_>, basics: &Basics<'_>) -> Read {
     if extent[..dimensions].iter().any(|&side| side < 2.0 * spacing || side > 1e5 * spacing) {
         return Err(keys.fault("extent", "is not from 2 to 100000 spacings along every axis"));
     }
-    let kernel = keys.choice("kernel", "smoothing kernel", &[("cubic", Spline::Cubic), ("gaussian", Spline::Gaussian)])?;
+    let kernel =
+        keys.choice("kernel", "smoothing kernel", &[("cubic", Spline::Cubic), ("gaussian", Spline::Gaussian)])?;
     let densities = [("continuity", Density::Continuity), ("summation", Density::Summation)];
     let (kernel, density) = (kernel.unwrap_or_default(), keys.choice("density", "way to find density", &densities)?);
-    let fluid = keys.table("fluid", material::KEYS)?.ok_or_else(|| keys.fault("fluid", "is missing; write a table `[fluid]`"))?;
+    let fluid = keys
+        .table("fluid", material::KEYS)?
+        .ok_or_else(|| keys.fault("fluid", "is missing; write a table `[fluid]`"))?;
     let smoothing = keys.between("smoothing", 0.8, 3.0)?.unwrap_or(1.2);
     let sides = keys.table("sides", SIDE_KEYS)?;
     let neighbours = keys.table("neighbours", NEIGHBOUR_KEYS)?;
@@ -181,7 +183,10 @@ impl WcsphSetup {
         let inside = |x: &[f64; 3]| (0..self.dimensions).all(|axis| (0.0..=self.extent[axis]).contains(&x[axis]));
         if let Some(p) = positions.iter().position(|x| !inside(x)) {
             let (at, to) = (place(positions[p], self.dimensions), place(self.extent, self.dimensions));
-            return Err(format!("puts particle {} at {at} outside the domain, which reaches from 0 to {to}", first + p));
+            return Err(format!(
+                "puts particle {} at {at} outside the domain, which reaches from 0 to {to}",
+                first + p
+            ));
         }
         for (n, collider) in self.colliders.iter().enumerate() {
             let ColliderShape::Box { from, to } = &collider.shape else { continue };
