@@ -123,12 +123,9 @@ impl<T: Real> Smoothing<T> {
             * match self.form {
                 Spline::Cubic => {
                     let q = squared.sqrt() * self.inv_h;
-                    if q < T::ONE {
-                        T::from(2.25) * q - T::from(3.0)
-                    } else {
-                        let far = T::from(2.0) - q;
-                        T::from(-0.75) * far * far / q
-                    }
+                    // 3 - 9/4 q up to 1, then 3/4 (2 - q)^2 / q, without a branch.
+                    let (far, near) = (T::from(2.0) - q, (T::ONE - q).max(T::ZERO));
+                    T::from(-0.75) * (far + near + near) * (far / q.max(T::ONE)).min(T::ONE)
                 }
                 Spline::Gaussian => T::from(-2.0) * (-squared * self.inv_h * self.inv_h).exp(),
             }

@@ -80,8 +80,11 @@ impl<X: Spatial> Fluid<X> {
     #[inline(always)]
     pub fn viscosity(&self, approach: f32, squared: f32, sounds: f32, densities: f32) -> f32 {
         let h = self.kernel.smoothing_length();
-        let zeta = -h * approach.min(0.0) / (squared + 0.01 * h * h);
-        zeta * (self.alpha * sounds + 2.0 * self.beta * zeta) / densities
+        let softened = squared + 0.01 * h * h;
+        // One division for both.
+        let inverse = (softened * densities).recip();
+        let zeta = -h * approach.min(0.0) * densities * inverse;
+        zeta * (self.alpha * sounds + 2.0 * self.beta * zeta) * softened * inverse
     }
 
     /// A wall particle's repulsion over the distance: times the vector from it, an acceleration in m/s^2 (Monaghan 2005, for a wall particle as heavy as those of the fluid). It ends at two smoothing lengths.
