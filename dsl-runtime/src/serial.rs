@@ -316,6 +316,23 @@ pub fn row<S: Source<Axes = X, Layout: ListLayout<X>> + ?Sized, X: Axes>(
     }
 }
 
+/// How many entries a list has.
+///
+/// # Panics
+/// Where the index lies outside of the shape.
+#[track_caller]
+pub(crate) fn row_len<S: Source<Axes = X, Layout: ListLayout<X>> + ?Sized, X: Axes>(
+    field: &S,
+    index: impl IntoIndex<X::Outer>,
+) -> usize {
+    let handle = field.handle();
+    let (at, logical) = handle.list(index);
+    match at {
+        Some(at) => handle.row_len_at(at),
+        None => crate::field::out_of_range::<S::Record>(&crate::field::OutOfRange::at::<X>(logical, &handle.geometry)),
+    }
+}
+
 /// The same as tuples.
 ///
 /// # Panics

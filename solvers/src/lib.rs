@@ -23,6 +23,7 @@ mod nearest;
 mod registry;
 pub mod scene;
 mod simulation;
+pub mod sph;
 mod state;
 
 pub use gate::{Finding, Gate, Watch};

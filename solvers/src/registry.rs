@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::nearest::hint;
 use crate::scene::{Basics, Folder, Keys, Setup};
-use crate::{Gate, Scene, SceneError, Simulation, mass_spring, mpm};
+use crate::{Gate, Scene, SceneError, Simulation, mass_spring, mpm, sph};
 
 /// A solver: what it offers, and how a simulation is made.
 #[derive(Debug)]
@@ -62,7 +62,7 @@ pub struct LayoutInfo {
 
 /// All solvers. To add one, add its line here.
 pub fn solvers() -> &'static [SolverInfo] {
-    static SOLVERS: &[SolverInfo] = &[mpm::SOLVER, mass_spring::SOLVER];
+    static SOLVERS: &[SolverInfo] = &[mpm::SOLVER, mass_spring::SOLVER, sph::wcsph::SOLVER];
     SOLVERS
 }
 

@@ -6,7 +6,7 @@ use crate::axes::Axes;
 use crate::field::Handle;
 use crate::index::IntoIndex;
 use crate::launch::{Cell, Space};
-use crate::layout::Layout;
+use crate::layout::{Layout, ListLayout};
 use crate::record::{Path, Record};
 
 /// Reads a path of a field at any index. Nothing in the loop writes it.
@@ -95,6 +95,21 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Read<'a, R, L, X, P> {
             Some(at) => unsafe { self.0.read(at) },
             None => value,
         }
+    }
+
+    /// How many entries a list has.
+    ///
+    /// # Panics
+    /// Where the index lies outside of the shape.
+    #[inline(always)]
+    #[track_caller]
+    pub fn row_len(&self, list: impl IntoIndex<X::Outer>) -> usize
+    where
+        L: ListLayout<X>,
+    {
+        let (at, logical) = self.handle().list(list);
+        let Some(at) = at else { self.0.site().out_of_range::<X>(logical, &self.handle().geometry) };
+        self.handle().row_len_at(at)
     }
 
     /// The value at `base + offset`, checked with the base where the offset lies in the base's box.

@@ -5,7 +5,7 @@ use crate::axes::{Axes, I};
 use crate::element::Sealed;
 use crate::field::Source;
 use crate::index::IntoIndex;
-use crate::layout::Layout;
+use crate::layout::{Layout, ListLayout};
 use crate::record::{Path, Record};
 
 /// Values `T` over the axes `X`, to read at any index: what a parameter `Read<T, _, X>` of a [`#[func]`](macro@crate::func) stands for
@@ -82,6 +82,41 @@ pub trait Readable<T: Copy, X: Axes = I>: Copy + Sealed {
     /// Elements in all.
     fn len(self) -> usize;
 
+    /// How many entries a list has, of a field of lists; the index leaves out the lists' axis. The entries are `q[(list, 0)]` and so on.
+    ///
+    /// ```
+    /// use allotrope::prelude::*;
+    ///
+    /// type Cells = layout!(dense(i).dynamic(j, 8).aos);
+    ///
+    /// /// The largest entry of a list.
+    /// #[func]
+    /// fn largest(cells: Read<u32, Cells, Ij>, cell: i32) -> u32 {
+    ///     (0..cells.row_len(cell)).map(|entry| cells[(cell, entry)]).max().unwrap_or(0)
+    /// }
+    ///
+    /// #[kernel]
+    /// fn around(cells: &Field<u32, Cells, Ij>, most: &mut Field<u32, _>) {
+    ///     for i in most.interior(1) {
+    ///         most[i] = largest(cells, i - 1).max(largest(cells, i + 1));
+    ///     }
+    /// }
+    ///
+    /// let mut cells = Field::<u32, Cells>::new([3]);
+    /// [4, 7, 2].map(|id| cells.append(2, id));
+    /// let mut most = Field::<u32, Soa>::new([3]);
+    /// around(&cells, &mut most);
+    /// assert_eq!(most.to_vec(), [0, 7, 0]);
+    /// assert_eq!(largest(&cells, 2), 7);
+    /// ```
+    ///
+    /// # Panics
+    /// Where the index lies outside of the shape.
+    #[track_caller]
+    fn row_len(self, list: impl IntoIndex<X::Outer>) -> usize
+    where
+        Self::Layout: ListLayout<X>;
+
     /// Whether there is no element.
     fn is_empty(self) -> bool {
         self.len() == 0
@@ -122,6 +157,14 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Readable<P::Value, X> for Rea
     fn len(self) -> usize {
         self.handle().geometry.len()
     }
+    #[inline(always)]
+    #[track_caller]
+    fn row_len(self, list: impl IntoIndex<X::Outer>) -> usize
+    where
+        L: ListLayout<X>,
+    {
+        Read::row_len(&self, list)
+    }
 }
 
 impl<S: ?Sized> Sealed for &S {}
@@ -156,5 +199,12 @@ impl<T: Copy, X: Axes, S: Source<Axes = X, Value = T> + ?Sized> Readable<T, X> f
     }
     fn len(self) -> usize {
         self.handle().geometry.len()
+    }
+    #[track_caller]
+    fn row_len(self, list: impl IntoIndex<X::Outer>) -> usize
+    where
+        S::Layout: ListLayout<X>,
+    {
+        crate::serial::row_len(self, list)
     }
 }

@@ -23,7 +23,7 @@
 //! can break down there within some hundred steps, and then the run says so.
 
 pub mod continuum;
-mod convert;
+pub(crate) mod convert;
 mod driver;
 pub mod fluid;
 mod gates;

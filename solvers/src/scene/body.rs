@@ -20,6 +20,8 @@ pub struct Body {
     pub velocity: [f64; 3],
     /// Rotation about its centre in rad/s; in 2D about the third axis.
     pub spin: [f64; 3],
+    /// Stretching along each axis about its centre, in 1/s; negative where it is compressed.
+    pub stretch: [f64; 3],
 }
 
 /// What a body fills.
@@ -72,7 +74,7 @@ pub enum Fill {
 }
 
 /// What every body takes beside its shape.
-const COMMON: &[&str] = &["velocity", "spin", "material"];
+const COMMON: &[&str] = &["velocity", "spin", "stretch", "material"];
 
 /// What each shape takes beside that.
 const SHAPES: &[(&str, &[&str])] = &[
@@ -109,13 +111,14 @@ impl Body {
             material: material_index(keys, materials)?,
             velocity: keys.vector("velocity", dimensions)?.unwrap_or_default(),
             spin: read_spin(keys, dimensions)?,
+            stretch: keys.vector("stretch", dimensions)?.unwrap_or_default(),
         })
     }
 
     /// Gives the positions of this body their velocities, and appends them.
     pub(crate) fn set_off(&self, positions: Vec<[f64; 3]>, particles: &mut Particles) {
-        let [a, b, c] = self.spin;
-        let gradient = [[0.0, -c, b], [c, 0.0, -a], [-b, a, 0.0]];
+        let ([a, b, c], [i, j, k]) = (self.spin, self.stretch);
+        let gradient = [[i, -c, b], [c, j, -a], [-b, a, k]];
         let n = positions.len() as f64;
         let center: [f64; 3] = std::array::from_fn(|axis| positions.iter().map(|x| x[axis]).sum::<f64>() / n);
         for x in positions {
