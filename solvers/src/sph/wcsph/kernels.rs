@@ -47,6 +47,7 @@ pub fn sum_density<X: Spatial, W: Walk<X>>(
 
 /// Density by the continuity equation, `d rho_a / dt = sum_b m (v_a - v_b) . grad_a W_ab`, over a step, and what follows from
 /// it (Monaghan 1992).
+#[allow(clippy::too_many_arguments, reason = "two sets of neighbours")]
 #[kernel(contract)]
 pub fn advance_density<X: Spatial, W: Walk<X>>(
     particles: &mut Field<Particle<X>, _>,

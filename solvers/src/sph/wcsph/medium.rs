@@ -71,6 +71,7 @@ impl<X: Spatial, P: Layout<I>, S: Search<X>> Medium<X, P, S> {
     ///
     /// # Errors
     /// Where memory is refused.
+    #[allow(clippy::type_complexity, reason = "a place and a velocity")]
     pub fn new(
         start: &[(X::Vec<f32>, X::Vec<f32>)],
         walls: Walls<X>,
@@ -91,7 +92,7 @@ impl<X: Spatial, P: Layout<I>, S: Search<X>> Medium<X, P, S> {
 
     /// Whether neighbours are found anew in the next step.
     pub fn is_stale(&self) -> bool {
-        !S::LASTS || !(self.moved < 0.5 * self.skin)
+        !S::LASTS || self.moved >= 0.5 * self.skin
     }
 
     /// Whether its neighbours are found in such a way that its particles must be sorted for it.

@@ -25,14 +25,9 @@ impl<X: Spatial> Walls<X> {
     /// Where memory is refused.
     pub fn new(places: &[X::Vec<f32>], kernel: &Smoothing) -> Result<Self, ShapeError> {
         let mut particles = Field::<WallParticle<X>, Soa>::try_new([places.len()])?;
-        let bound =
-            |pick: fn(X::Vec<f32>, X::Vec<f32>) -> X::Vec<f32>| places.iter().copied().reduce(pick).unwrap_or_default();
-        let options = Options {
-            radius: kernel.support(),
-            lower: bound(|a, b| a.min(b)),
-            upper: bound(|a, b| a.max(b)),
-            ..Options::new(places.len())
-        };
+        let lower = places.iter().copied().reduce(|a, b| a.min(b)).unwrap_or_default();
+        let upper = places.iter().copied().reduce(|a, b| a.max(b)).unwrap_or_default();
+        let options = Options { radius: kernel.support(), lower, upper, ..Options::new(places.len()) };
         let mut cells = SortedCells::new(&options)?;
         places.iter().enumerate().for_each(|(b, &x)| particles.set(b, WallParticle { x, volume: 0.0 }));
         particles.reorder_by_key(|wall| cells.key(wall.x));
