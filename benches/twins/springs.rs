@@ -71,11 +71,11 @@ versions! {
             let n = d.map(|d| d * inverse);
             let rate = u[0] * n[0] + u[1] * n[1] + u[2] * n[2];
             let pull = -(spring.stiffness * (length - spring.rest) + spring.dashpot * rate);
-            for axis in 0..3 {
+            for (axis, n) in n.into_iter().enumerate() {
                 // SAFETY: as above.
                 unsafe {
-                    (*a).f[axis] += n[axis] * pull;
-                    (*b).f[axis] -= n[axis] * pull;
+                    (*a).f[axis] += n * pull;
+                    (*b).f[axis] -= n * pull;
                 }
             }
         }

@@ -56,10 +56,8 @@ fn eliminate(mut rows: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
         b.swap(step, pivot);
         for row in step + 1..n {
             let factor = rows[row][step] / rows[step][step];
-            for column in step..n {
-                let above = rows[step][column];
-                rows[row][column] -= factor * above;
-            }
+            let (upper, lower) = rows.split_at_mut(row);
+            lower[0].iter_mut().zip(&upper[step]).for_each(|(entry, above)| *entry -= factor * above);
             b[row] -= factor * b[step];
         }
     }

@@ -28,6 +28,7 @@ fn of(beta: f64) -> Integrator {
 }
 
 /// For `z = w dt` and beta 0, 1/2 and 1: `|lambda|` and the phase a step over `z`.
+#[expect(clippy::approx_constant, reason = "as printed")]
 const TABLE: [(f64, [(f64, f64); 3]); 4] = [
     (0.1, [(1.00000000, 1.000417), (0.99750934, 0.998858), (0.99503719, 0.996687)]),
     (0.5, [(1.00000000, 1.010721), (0.94280904, 0.973390), (0.89442719, 0.927295)]),
