@@ -28,7 +28,8 @@ const COMMAND_LINES: &[Case] = &[
         "the following required arguments were not provided: <SOLVER>; `allotrope --help` tells what there is",
     ),
     wrong("run mmp", "there is no solver `mmp`; did you mean `mpm`?"),
-    wrong("bench teapot", "there is no solver `teapot`; known are `mpm`"),
+    wrong("scene show mpm88 --solver mmp", "there is no solver `mmp`; did you mean `mpm`?"),
+    wrong("scene show mpm89 --solver mpm", "scene `mpm89`: `mpm` has no scene of this name; did you mean `mpm88`?"),
     wrong("list more", "unexpected argument `more` found; `allotrope --help` tells what there is"),
     wrong("run mpm --stpes 9", "unexpected argument `--stpes` found; did you mean `--steps`?"),
     wrong("run mpm --scene bunyn", "scene `bunyn`: `mpm` has no scene of this name; did you mean `bunny`?"),
@@ -424,6 +425,10 @@ fn folder() -> tempfile::TempDir {
 fn command_lines() {
     let folder = folder();
     COMMAND_LINES.iter().for_each(|case| says(folder.path(), case));
+    // All solvers are named, however many there are.
+    let names: Vec<_> = allotrope_solvers::solvers().iter().map(|solver| solver.name).collect();
+    let message = format!("there is no solver `teapot`; known are `{}`", names.join("`, `"));
+    says(folder.path(), &wrong("bench teapot", message.leak()));
     assert_eq!(std::fs::read_to_string(folder.path().join("file")).unwrap(), "kept");
 }
 

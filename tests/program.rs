@@ -483,6 +483,7 @@ fn what_the_help_of_map_shows_can_be_done() {
 fn scenes_are_shown_and_checked() {
     let folder = tempfile::tempdir().unwrap();
     let text = succeeds(&["scene", "show", "mpm88"]);
+    assert_eq!(succeeds(&["scene", "show", "mpm88", "--solver", "mpm"]), text);
     let path = folder.path().join("my.toml");
     std::fs::write(&path, &text).unwrap();
     let file = path.to_str().unwrap();

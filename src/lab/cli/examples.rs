@@ -104,6 +104,7 @@ Examples:
 pub(super) const SCENE_SHOW: &str = "\
 Examples:
   allotrope scene show mpm88                    # a start for a scene of your own
+  allotrope scene show dam-break --solver mpm   # where several solvers have a scene of this name
   allotrope scene show my.toml --set dt=1e-4";
 
 /// Of `completions`.

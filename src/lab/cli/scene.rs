@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use allotrope_solvers::solvers;
+use allotrope_solvers::{SolverInfo, solvers};
 use clap::{Args, Subcommand};
 
 use super::{examples, scenes};
@@ -34,6 +34,9 @@ pub struct ShowArguments {
     /// A built-in name, or a TOML file
     #[arg(value_name = "SCENE")]
     scene: String,
+    /// The solver whose built-in scene it is [default: the first that has one of this name]
+    #[arg(long, value_name = "SOLVER")]
+    solver: Option<String>,
     /// Another value than the scene's; may be given more than once
     #[arg(long, value_name = "KEY=VALUE")]
     set: Vec<String>,
@@ -50,8 +53,12 @@ impl SceneCommand {
 
 impl ShowArguments {
     fn execute(self) -> Result<(), LabError> {
-        let of = solvers().iter().find(|solver| solver.scenes.iter().any(|scene| scene.name == self.scene));
-        let scene = scenes::named(of.unwrap_or(&solvers()[0]), &self.scene, &self.set)?;
+        let has = |solver: &&SolverInfo| solver.scenes.iter().any(|scene| scene.name == self.scene);
+        let of = match &self.solver {
+            Some(name) => allotrope_solvers::solver(name).map_err(LabError::usage)?,
+            None => solvers().iter().find(has).unwrap_or(&solvers()[0]),
+        };
+        let scene = scenes::named(of, &self.scene, &self.set)?;
         output::print(&format!("{}\n", scene.text.trim_end()))
     }
 }
