@@ -106,6 +106,7 @@ pub trait InLanes: Copy {
     fn of(kept: Self::Kept) -> Self;
 }
 
+#[diagnostic::do_not_recommend]
 impl<T: Element> InLanes for T {
     type Kept = T;
     #[inline(always)]

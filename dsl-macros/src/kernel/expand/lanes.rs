@@ -5,8 +5,8 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
-use quote::{ToTokens, quote};
+use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
+use quote::{ToTokens, quote, quote_spanned};
 use syn::{Block, Expr, ExprForLoop, ExprIf, Local, Pat, RangeLimits, Stmt};
 
 use super::launch::Launch;
@@ -37,6 +37,16 @@ fn locals(tokens: &TokenStream) -> Vec<Local> {
         _ => None,
     };
     block.stmts.into_iter().filter_map(local).collect()
+}
+
+/// A function of the type that keeps a variable, at whose name errors about it stand.
+fn of_lanes(name: &Ident, function: &str) -> TokenStream {
+    let (private, function) = (private(), Ident::new(function, Span::call_site()));
+    let located = quote!(#private::Lanes::#function).into_iter().map(|mut token| {
+        token.set_span(token.span().located_at(name.span()));
+        token
+    });
+    located.collect()
 }
 
 /// A variable of the body that is in scope.
@@ -294,7 +304,7 @@ impl Lanes<'_> {
         mask: Option<&Ident>,
         condition: Option<Condition<'_>>,
     ) -> TokenStream {
-        let (private, width) = (private(), self.width());
+        let width = self.width();
         let [lane, cell, batch, on] = ["lane", "cell", "batch", "on"].map(hidden);
         let (variables, inner) = (self.launch.variables(), &stretch.tokens);
         let mut mentions = Mentions::of(inner);
@@ -304,7 +314,8 @@ impl Lanes<'_> {
         let (mut loads, mut outs, mut stores) = (TokenStream::new(), Vec::new(), Vec::new());
         for Kept { name, mutable, lanes } in self.used(&mentions) {
             let mutability = mutable.then(|| quote!(mut));
-            loads.extend(quote!(let #mutability #name = #lanes.get(#lane);));
+            let get = of_lanes(name, "get");
+            loads.extend(quote_spanned!(name.span()=> let #mutability #name = #get(&#lanes, #lane);));
             if *mutable {
                 outs.push(name.clone());
                 stores.push(lanes.clone());
@@ -313,11 +324,14 @@ impl Lanes<'_> {
         let mut declarations = TokenStream::new();
         for (name, mutable) in stretch.declared.iter().filter(|(name, _)| later.has(name)) {
             let lanes = self.local("lanes");
-            declarations.extend(quote!(let mut #lanes = #private::Lanes::new(#width);));
+            let new = of_lanes(name, "new");
+            declarations.extend(quote_spanned!(name.span()=> let mut #lanes = #new(#width);));
             outs.push(name.clone());
             stores.push(Some(lanes.clone()));
             self.kept.push(Kept { name: name.clone(), mutable: *mutable, lanes: Some(lanes) });
         }
+        let each_of = |function| outs.iter().map(move |name| of_lanes(name, function));
+        let (set, set_masked, nothing_of) = (each_of("set"), each_of("set_masked"), each_of("nothing"));
         let judge = condition.as_ref().map(|Condition { tokens, .. }| quote!(let #on: bool = #tokens;));
         let told = condition.as_ref().map(|Condition { holds: (holds, bits), fails, .. }| {
             let lets = mask.map_or_else(|| quote!(true), |mask| quote!(#mask.lets(#lane)));
@@ -327,7 +341,7 @@ impl Lanes<'_> {
         let each = match mask {
             None => quote! {
                 #variables #loads #inner #judge
-                #(#stores.set(#lane, #outs);)*
+                #(#set(&mut #stores, #lane, #outs);)*
                 #told
             },
             Some(mask) if outs.is_empty() && condition.is_none() => quote! {
@@ -340,9 +354,9 @@ impl Lanes<'_> {
                         #variables #loads #inner #judge
                         (#(#outs,)* #last)
                     } else {
-                        (#(#stores.nothing(),)* #nothing)
+                        (#(#nothing_of(&#stores),)* #nothing)
                     };
-                    #(#stores.set_masked(&#mask, #lane, #outs);)*
+                    #(#set_masked(&mut #stores, &#mask, #lane, #outs);)*
                     #told
                 }
             }

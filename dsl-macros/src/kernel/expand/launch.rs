@@ -456,7 +456,7 @@ impl Launch<'_> {
                     });
                 }
             }
-            None if is_arithmetic(self.kernel, self.parallel, &self.plan) => {
+            None if !self.plan.views.is_empty() && is_arithmetic(self.kernel, self.parallel, &self.plan) => {
                 let views = (0..self.plan.views.len()).map(|number| self.view_name(number));
                 quote!(#run.each_or_all(#halo, #(#views.is_float())&&*, #[inline(always)] |#cell| { #element });)
             }
