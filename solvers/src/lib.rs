@@ -15,6 +15,7 @@
 #![allow(clippy::duplicate_mod, reason = "texts of kernels that are the same in the plane and in space")]
 
 mod gate;
+mod layout_pairs;
 pub mod linear;
 pub mod mass_spring;
 pub mod mesh;

@@ -24,6 +24,24 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), LabError> {
     })
 }
 
+/// Prints results, and writes them as a line of JSON where a file is wanted.
+///
+/// # Errors
+/// As [`write`] and [`print`].
+pub fn results(text: &str, report: &impl serde::Serialize, json: Option<&Path>) -> Result<(), LabError> {
+    print(text)?;
+    json.map_or(Ok(()), |path| write(path, line_of_json(report)?.as_bytes()))
+}
+
+/// A value as a line of JSON.
+///
+/// # Errors
+/// If it cannot be one.
+pub fn line_of_json(value: &impl serde::Serialize) -> Result<String, LabError> {
+    let line = serde_json::to_string(value).map_err(|error| LabError::failure(error.to_string()))?;
+    Ok(format!("{line}\n"))
+}
+
 /// Where a file is written before it gets its name.
 fn beside(path: &Path) -> PathBuf {
     let mut beside = path.as_os_str().to_owned();

@@ -1,7 +1,8 @@
 //! Bodies that are nothing but arithmetic: they may run for elements that are none of the loop's, if what they write there is thrown away.
 //!
 //! Whether the numbers are floats, whose arithmetic cannot panic, the types say. Whole numbers of a loop's variables stand in indices alone, or are
-//! made floats at once; others are the same for all elements of the loop, so that they panic for those too.
+//! made floats at once; others are the same for all elements, and where one panics it does so for those of the loop too, since there are no branches by which
+//! some could be spared it.
 
 use syn::{BinOp, Block, Expr, Pat, Stmt, Type};
 
@@ -105,8 +106,15 @@ impl Body<'_> {
             Expr::Tuple(tuple) => tuple.elems.iter().all(|part| self.expr(part)),
             Expr::Cast(cast) => is_float(&cast.ty) && (name_of(&cast.expr).is_some() || self.expr(&cast.expr)),
             Expr::Binary(binary) => {
-                !matches!(binary.op, BinOp::Shl(_) | BinOp::Shr(_) | BinOp::ShlAssign(_) | BinOp::ShrAssign(_))
-                    && self.expr(&binary.left)
+                !matches!(
+                    binary.op,
+                    BinOp::And(_)
+                        | BinOp::Or(_)
+                        | BinOp::Shl(_)
+                        | BinOp::Shr(_)
+                        | BinOp::ShlAssign(_)
+                        | BinOp::ShrAssign(_)
+                ) && self.expr(&binary.left)
                     && self.expr(&binary.right)
             }
             Expr::Assign(assign) => self.expr(&assign.left) && self.expr(&assign.right),
@@ -120,12 +128,6 @@ impl Body<'_> {
                 name_of(&call.func).is_some_and(|name| VECTORS.contains(&name.to_string().as_str()))
                     && call.args.iter().all(|argument| self.expr(argument))
             }
-            Expr::If(branch) => {
-                self.expr(&branch.cond)
-                    && self.block(&branch.then_branch)
-                    && branch.else_branch.as_ref().is_none_or(|(_, other)| self.expr(other))
-            }
-            Expr::Block(block) => block.label.is_none() && self.block(&block.block),
             _ => false,
         }
     }

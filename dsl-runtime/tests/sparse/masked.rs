@@ -12,13 +12,13 @@ struct Cell {
     x: DVec2,
 }
 
-/// Arithmetic of floats alone, with a branch and a variable that is changed.
+/// Arithmetic of floats alone, with a variable that is changed.
 #[kernel]
 fn smooth(cells: &mut Field<Cell, _, Ij>, dense: &mut Field<f32, _, Ij>, by: f32, times: i32) {
     for (i, j) in cells.interior(1) {
         let mut sum = cells.u[(i - 1, j)] + cells.u[(i + 1, j)] + cells.u[(i, j - 1)];
         sum += cells.u[(i, j + 1)].max(0.0).sqrt();
-        cells.w[(i, j)] = if sum > by { sum * by } else { sum / by } - i as f32 * (times / 2) as f32;
+        cells.w[(i, j)] = (sum / by).max(sum * by) - i as f32 * (times / 2) as f32;
         cells.x[(i, j)].y += 2.0 * cells.x[(i, j)].x;
         dense[(i, j)] -= cells.u[(i, j)];
     }
@@ -42,7 +42,15 @@ fn divide(cells: &mut Field<Cell, _, Ij>) {
     }
 }
 
-/// Would panic where nothing is active: `left` of those is zero.
+/// Would panic where nothing is active, whose `u` is zero: by a division whose numbers are the same for all elements.
+#[kernel]
+fn guard(cells: &mut Field<Cell, _, Ij>, none: i32) {
+    for p in cells {
+        cells.w[p] = if cells.u[p] == 0.0 { (7 / none) as f32 } else { cells.u[p] };
+    }
+}
+
+/// Would panic where nothing is active: `n` of those is zero.
 #[kernel]
 fn check(cells: &mut Field<Cell, _, Ij>) -> f32 {
     let mut total = 0.0;
@@ -64,7 +72,7 @@ fn cells<L: Layout<Ij>>() -> Field<Cell, L, Ij> {
         let end = [start[0] + numbers.below(6), start[1] + numbers.below(9)];
         for i in start[0]..end[0].min(SHAPE[0]) {
             for j in start[1]..end[1].min(SHAPE[1]) {
-                let u = numbers.below(1000) as f32 - 300.0;
+                let u = numbers.below(1000) as f32 - 300.5;
                 let n = 1 + numbers.below(100) as u8;
                 cells.set([i, j], Cell { u, w: 1.0, n, x: DVec2::new(u.into(), 0.5) });
             }
@@ -101,7 +109,7 @@ fn check_in<L: Layout<Ij>, D: Layout<Ij>>() {
                 if is_active && inside {
                     let mut sum = at(i - 1, j).u + at(i + 1, j).u + at(i, j - 1).u;
                     sum += at(i, j + 1).u.max(0.0).sqrt();
-                    expected.w = if sum > 1.5 { sum * 1.5 } else { sum / 1.5 } - i as f32;
+                    expected.w = (sum / 1.5).max(sum * 1.5) - i as f32;
                     expected.x.y += 2.0 * expected.x.x;
                 }
                 assert_eq!(cell, expected, "({i}, {j})");
@@ -111,6 +119,7 @@ fn check_in<L: Layout<Ij>, D: Layout<Ij>>() {
             let mut cells = start.clone();
             scale(&mut cells, 0.5);
             divide(&mut cells);
+            guard(&mut cells, 0);
             let total = check(&mut cells);
             for (n, (cell, is_active)) in all(&cells).into_iter().enumerate() {
                 let (i, j) = (n / SHAPE[1], n % SHAPE[1]);

@@ -12,8 +12,9 @@ use super::materials::Model;
 use super::medium::Medium;
 use super::setup::{Material, MpmSetup, Scheme, Transfer};
 use super::stability;
+use crate::layout_pairs::layout_pairs;
 use crate::scene::{Particles, Wall};
-use crate::{Built, LayoutInfo, Scene, SceneError};
+use crate::{Built, Scene};
 
 /// A layout of particles, whatever their record.
 trait OfPoints {
@@ -65,27 +66,13 @@ type Bits4 =
 #[cfg(feature = "all-layouts")]
 type Block4 = layout::Dense<{ layout::ALL }, 4, 4, 4, 4, layout::PlaceAos>;
 
-/// A line makes a pair of layouts: its name, the layout of particles, that of the grid, and a word about it.
-macro_rules! layout_pairs {
-    ($($(#[$condition:meta])* $name:literal: $particles:ty, $grid:ty, $about:literal;)*) => {
-        /// The pairs, the default first.
-        pub(super) const LAYOUTS: &[LayoutInfo] = &[$($(#[$condition])* LayoutInfo {
-            name: $name,
-            about: $about,
-            sparse: <$grid as Layout<Ij>>::SPARSE,
-        },)*];
-
-        /// The simulation of a scene in a pair of layouts.
-        pub(super) fn build(scene: &Scene, layout: &str) -> Built {
-            match layout {
-                $($(#[$condition])* $name => in_layouts::<$particles, $grid>(scene),)*
-                _ => Err(SceneError::new(&*scene.file, format!("`{layout}` is no layout of its solver"))),
-            }
-        }
-    };
+/// Whether a grid's memory follows what is active.
+const fn follows<G: Layout<Ij>>() -> bool {
+    G::SPARSE
 }
 
 layout_pairs! {
+    in_layouts, follows;
     "aos+row": Aos, Aos, "particles and nodes interleaved, the grid row by row";
     "soa+soa": Soa, Soa, "an array for each member of particles and nodes";
     "hot+row": Hot, Aos, "members of particles that transfers need together, the others apart; nodes interleaved";

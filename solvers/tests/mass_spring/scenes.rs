@@ -95,11 +95,11 @@ fn a_dense_table_of_too_many_masses_is_left_out() {
 #[test]
 fn a_saved_run_goes_on_as_if_it_had_not_been_interrupted() {
     let scene = scene("three-points", &[]);
-    let mut whole = build(&scene, "soa+list");
+    let mut whole = build(&scene, "aos+rows");
     (0..300).for_each(|_| whole.step().unwrap());
-    let mut first = build(&scene, "soa+list");
+    let mut first = build(&scene, "aos+rows");
     (0..120).for_each(|_| first.step().unwrap());
-    let mut second = build(&scene, "soa+list");
+    let mut second = build(&scene, "aos+rows");
     second.restore(&first.save()).unwrap();
     assert_eq!((second.steps(), second.positions()), (120, first.positions()));
     (0..180).for_each(|_| second.step().unwrap());

@@ -51,14 +51,7 @@ pub fn bench(plan: &Plan, json: Option<&Path>) -> Result<(), LabError> {
         output::writable(path)?;
     }
     let (report, about) = measure(plan)?;
-    output::print(&text(&report, &about))?;
-    match json {
-        Some(path) => {
-            let line = serde_json::to_string(&report).map_err(|error| LabError::failure(error.to_string()))?;
-            output::write(path, format!("{line}\n").as_bytes())
-        }
-        None => Ok(()),
-    }
+    output::results(&text(&report, &about), &report, json)
 }
 
 pub(super) fn measure(plan: &Plan) -> Result<(Report, About), LabError> {

@@ -48,14 +48,7 @@ pub fn convert_cost(plan: &Plan, json: Option<&Path>) -> Result<(), LabError> {
         output::writable(path)?;
     }
     let (report, about) = measure(plan)?;
-    output::print(&text(&report, &about))?;
-    match json {
-        Some(path) => {
-            let line = serde_json::to_string(&report).map_err(|error| LabError::failure(error.to_string()))?;
-            output::write(path, format!("{line}\n").as_bytes())
-        }
-        None => Ok(()),
-    }
+    output::results(&text(&report, &about), &report, json)
 }
 
 fn measure(plan: &Plan) -> Result<(Report, About), LabError> {

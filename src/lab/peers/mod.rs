@@ -69,14 +69,7 @@ pub fn compare_taichi(plan: &Plan, json: Option<&Path>) -> Result<(), LabError> 
     }
     bar.finish_and_clear();
     let report = Report { threads, isa: machine::instruction_set(), pairs: plan.pairs, rows };
-    output::print(&report.text(taichi.as_ref().map(Taichi::version)))?;
-    match json {
-        Some(path) => {
-            let line = serde_json::to_string(&report).map_err(|error| LabError::failure(error.to_string()))?;
-            output::write(path, format!("{line}\n").as_bytes())
-        }
-        None => Ok(()),
-    }
+    output::results(&report.text(taichi.as_ref().map(Taichi::version)), &report, json)
 }
 
 /// A side of a comparison.

@@ -134,8 +134,7 @@ impl Record {
 
     /// Writes all files; the one from which the sweep goes on comes first.
     pub(super) fn write(&self, out: &Path) -> Result<(), LabError> {
-        let line = serde_json::to_string(self).map_err(|error| LabError::failure(error.to_string()))?;
-        output::write(&out.join(FILE), format!("{line}\n").as_bytes())?;
+        output::write(&out.join(FILE), output::line_of_json(self)?.as_bytes())?;
         output::write(&out.join("sweep.csv"), self.csv().as_bytes())?;
         output::write(&out.join("sweep.svg"), chart::svg(self)?.as_bytes())
     }

@@ -19,8 +19,7 @@ fn arithmetic_of_rows() {
         "v.m[(i, j)] *= x;",
         "v.m[(i, j)].y -= u.m[(i, j)].x;",
         "let (a, mut b) = (u[(i, j)].max(0.0).sqrt(), x); b += -a; v[(i, j)] = vec2(a, b).length();",
-        "v[(i, j)] = if u[(i, j)] > x { x } else { let y = i as f32; y * (n / 2) as f32 };",
-        "if u[(i, j)] < 0.0 { v[(i, j)] = 0.0; }",
+        "let y = i as f32; v[(i, j)] = y * (n / 2) as f32;",
     ] {
         assert!(is_arithmetic(body), "{body}");
     }
@@ -35,6 +34,10 @@ fn what_could_panic_or_be_seen() {
         "v[(i, j)] = f(i);",
         "v[(i, j)] = u[(i, j)] as i32;",
         "v[(i, j)] = u[(i, j)] << 3;",
+        // No element of the loop may come by what one of the others would divide by zero in.
+        "v[(i, j)] = if u[(i, j)] > x { x } else { (7 / n) as f32 };",
+        "if u[(i, j)] < 0.0 { v[(i, j)] = 0.0; }",
+        "let y = u[(i, j)] > 0.0 && 7 / n > 3; v[(i, j)] = x;",
         // What is called could do anything.
         "v[(i, j)] = f(u[(i, j)]);",
         "v[(i, j)] = u[(i, j)].of_mine();",

@@ -12,7 +12,7 @@ pub struct Matrix<L: Layout<Ij> = Soa> {
 }
 
 /// A dense table of more masses than this would take gigabytes.
-const MOST_DENSE: usize = 2048;
+pub(in crate::mass_spring) const MOST_DENSE: usize = 2048;
 
 impl<L: Layout<Ij>> Matrix<L> {
     /// More masses than this are too many for a table in this layout.

@@ -16,6 +16,7 @@ use allotrope::prelude::*;
 use super::records::{Mass, Rates, Spring};
 
 pub use list::List;
+pub(super) use matrix::MOST_DENSE;
 pub use matrix::Matrix;
 pub use rows::Rows;
 

@@ -1,15 +1,17 @@
-//! The layouts in which the kernels are compiled: of particles, and of neighbours. Each pair costs build time, so six are
-//! always there and the others stand behind the feature `all-layouts`.
+//! The layouts in which the kernels are compiled: of particles, and of neighbours. Each pair costs build time, so one for
+//! each way of finding neighbours is always there and the others stand behind the feature `all-layouts`.
 
 use allotrope::prelude::*;
 use allotrope::spatial::*;
 
 use super::driver::Driver;
+#[cfg(feature = "all-layouts")]
 use super::records::HotParticle;
 use super::setup::WcsphSetup;
+use crate::layout_pairs::layout_pairs;
 use crate::scene::Particles;
 use crate::sph::neighbours::{CellLists, HashedCells, NeighbourLists, Search, SortedCells};
-use crate::{Built, LayoutInfo, Scene, SceneError};
+use crate::{Built, Scene};
 
 /// A layout of particles, in a plane and in space.
 trait OfParticles {
@@ -28,8 +30,10 @@ macro_rules! for_all_records {
 for_all_records!(Aos, Soa, Split, AoSoA<16>);
 
 /// What neighbours read lies together, the rest apart.
+#[cfg(feature = "all-layouts")]
 struct Hot;
 
+#[cfg(feature = "all-layouts")]
 impl OfParticles for Hot {
     type In<X: Spatial> = HotParticle<X>;
 }
@@ -55,30 +59,18 @@ ways! {
     InHash: HashedCells;
 }
 
-/// A line makes a pair of layouts: its name, the layout of particles, that of neighbours, and a word about it.
-macro_rules! layout_pairs {
-    ($($(#[$condition:meta])* $name:literal: $particles:ty, $neighbours:ty, $about:literal;)*) => {
-        /// The pairs, the default first.
-        pub(super) const LAYOUTS: &[LayoutInfo] = &[$($(#[$condition])* LayoutInfo {
-            name: $name,
-            about: $about,
-            sparse: false,
-        },)*];
-
-        /// The simulation of a scene in a pair of layouts.
-        pub(super) fn build(scene: &Scene, layout: &str) -> Built {
-            match layout {
-                $($(#[$condition])* $name => in_layouts::<$particles, $neighbours>(scene),)*
-                _ => Err(SceneError::new(&*scene.file, format!("`{layout}` is no layout of its solver"))),
-            }
-        }
-    };
+/// There is no grid.
+const fn no_grid<N>() -> bool {
+    false
 }
 
 layout_pairs! {
+    in_layouts, no_grid;
     "aos+lists": Aos, InLists, "particles interleaved; for each a stored list of neighbours, with a skin";
     "aos+sorted": Aos, InSorted, "particles interleaved, in the order of their cells; where each cell begins";
+    #[cfg(feature = "all-layouts")]
     "soa+sorted": Soa, InSorted, "an array for each member of particles, in the order of their cells";
+    #[cfg(feature = "all-layouts")]
     "hot+lists": Hot, InLists, "what neighbours read together, accelerations apart; stored lists";
     "aos+cells": Aos, InCells, "particles interleaved; for each cell a list of those in it";
     "aos+hash": Aos, InHash, "the same, cells found by hashing, without bounds";

@@ -21,6 +21,7 @@ pub struct Particle<X: Spatial> {
 }
 
 /// What neighbours read lies together; the acceleration, which they do not, lies apart.
+#[cfg(feature = "all-layouts")]
 pub(super) type HotParticle<X> = layout!(Particle<X>: dense(i).place([x, v, rho, push, sound], [a]));
 
 /// A particle of a wall, which stays where it is.
