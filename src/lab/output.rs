@@ -27,7 +27,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), LabError> {
 /// Prints results, and writes them as a line of JSON where a file is wanted.
 ///
 /// # Errors
-/// As [`write`] and [`print`].
+/// As [`write()`] and [`print()`].
 pub fn results(text: &str, report: &impl serde::Serialize, json: Option<&Path>) -> Result<(), LabError> {
     print(text)?;
     json.map_or(Ok(()), |path| write(path, line_of_json(report)?.as_bytes()))
