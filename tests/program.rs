@@ -106,6 +106,27 @@ fn run_writes_pictures_that_show_the_fluid() {
 }
 
 #[test]
+fn bench_tells_which_layouts_it_leaves_out() {
+    let text = succeeds(&["bench", "mpm", "--particles", "1000", "--steps", "11"]);
+    let left_out: Vec<_> = text.lines().filter(|line| line.starts_with("left out: ")).collect();
+    assert!(left_out.len() == 1 && left_out[0].starts_with("left out: hot+row; every member"), "{text}");
+    let text = succeeds(&["bench", "mpm", "--particles", "1000", "--steps", "11", "--layouts", "aos+row,soa+soa"]);
+    assert!(!text.contains("left out"), "{text}");
+}
+
+#[test]
+fn run_tells_what_bounds_the_steps() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let text = succeeds(&["run", "wcsph", "--scene", "hydrostatic", "--steps", "3", "--out", out.to_str().unwrap()]);
+    let line = text.lines().find_map(|line| line.strip_prefix("the last step took ")).expect(&text);
+    let numbers: Vec<f64> = line.split([' ', ',']).filter_map(|word| word.parse().ok()).collect();
+    assert!(["forces", "sound", "speed"].iter().all(|what| line.contains(what)) && numbers.len() == 4, "{line}");
+    let least = numbers[1..].iter().copied().fold(f64::INFINITY, f64::min);
+    assert!(numbers[0] <= least * 1.005 && numbers[0] > 0.0, "{line}");
+}
+
+#[test]
 fn bench_compares_layouts_and_writes_its_report() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("bench.json");

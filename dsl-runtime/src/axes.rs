@@ -95,13 +95,13 @@ pub(crate) fn per_axis<T>(value: impl Fn(usize) -> T) -> [T; MAX_AXES] {
 #[inline(always)]
 pub(crate) fn sum<X: Axes>(term: impl Fn(usize) -> usize) -> usize {
     let mut sum = term(0);
-    if X::RANK > 1 {
+    if const { X::RANK > 1 } {
         sum = sum.wrapping_add(term(1));
     }
-    if X::RANK > 2 {
+    if const { X::RANK > 2 } {
         sum = sum.wrapping_add(term(2));
     }
-    if X::RANK > 3 {
+    if const { X::RANK > 3 } {
         sum = sum.wrapping_add(term(3));
     }
     sum
@@ -112,13 +112,13 @@ pub(crate) fn sum<X: Axes>(term: impl Fn(usize) -> usize) -> usize {
 pub(crate) fn all<X: Axes>(holds: impl Fn(usize) -> bool) -> bool {
     // `&`, not `&&`: one branch on the whole.
     let mut all = holds(0);
-    if X::RANK > 1 {
+    if const { X::RANK > 1 } {
         all &= holds(1);
     }
-    if X::RANK > 2 {
+    if const { X::RANK > 2 } {
         all &= holds(2);
     }
-    if X::RANK > 3 {
+    if const { X::RANK > 3 } {
         all &= holds(3);
     }
     all

@@ -8,5 +8,5 @@ macro_rules! chapters {
 }
 
 chapters! {
-    why_layouts first_kernel records_layouts_fields loops_and_races accumulation sparse_fields generic_kernels layouts_compared wcsph expansion adding from_taichi
+    why_layouts first_kernel records_layouts_fields loops_and_races accumulation sparse_fields generic_kernels layouts_compared springs wcsph expansion adding from_taichi
 }

@@ -41,6 +41,12 @@ pub trait Simulation: Send {
         None
     }
 
+    /// What a step must not be longer than, in s, as of the last step, each bound by the name of what sets it; empty where steps do not
+    /// follow from such bounds.
+    fn step_bounds(&self) -> Vec<(&'static str, f64)> {
+        Vec::new()
+    }
+
     /// From 1 to 3.
     fn dimensions(&self) -> usize;
 

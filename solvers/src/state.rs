@@ -14,7 +14,12 @@ pub struct Array {
 impl Array {
     /// An array of vectors.
     pub(crate) fn floats<const N: usize>(name: &'static str, values: impl IntoIterator<Item = [f32; N]>) -> Self {
-        Self { name, components: N, values: Values::F32(values.into_iter().flatten().collect()) }
+        Self::floats_of(name, &mut values.into_iter())
+    }
+
+    /// The same, compiled once for all iterators.
+    fn floats_of<const N: usize>(name: &'static str, values: &mut dyn Iterator<Item = [f32; N]>) -> Self {
+        Self { name, components: N, values: Values::F32(values.flatten().collect()) }
     }
 
     /// An array of so many numbers a particle or node.

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use syn::Ident;
 
+use super::branches::calls_behind_branches;
 use super::model::{Access, Action, Boundary, Group, Kernel, Linear, Op, Place, Slot};
 
 /// What an access means for others.
@@ -324,6 +325,8 @@ pub(crate) struct Plan {
     pub(crate) fields: BTreeMap<usize, bool>,
     /// Whether own writes are held back until the end of a run.
     pub(crate) light: bool,
+    /// Whether whole runs are written out apart from cut ones: the body is small, and vector loops may come of it.
+    pub(crate) written_out: bool,
     /// Fields with two own views that overlap, or accessed without a check: their values are never held back.
     pub(crate) overlapping: Vec<usize>,
     /// The offsets to check once a launch.
@@ -349,6 +352,7 @@ pub(crate) fn plan(kernel: &Kernel, number: usize) -> Plan {
         view_of: BTreeMap::new(),
         fields: BTreeMap::new(),
         light: !parallel.loops && parallel.topology.is_empty(),
+        written_out: false,
         overlapping: Vec::new(),
         reach: BTreeMap::new(),
         boxes: Vec::new(),
@@ -396,6 +400,7 @@ pub(crate) fn plan(kernel: &Kernel, number: usize) -> Plan {
         plan.view_of.insert(node, place);
     }
     plan.note_overlaps();
+    plan.written_out = plan.light && !calls_behind_branches(kernel, &parallel.body);
     plan
 }
 

@@ -51,6 +51,11 @@ const METHODS: [&str; 34] = [
 /// Constructors of vectors of floats.
 const VECTORS: [&str; 6] = ["vec2", "vec3", "vec4", "dvec2", "dvec3", "dvec4"];
 
+/// Whether a function of that name only computes.
+pub(crate) fn computes(name: &str) -> bool {
+    METHODS.contains(&name) || VECTORS.contains(&name)
+}
+
 /// Whether a loop's body is arithmetic of its own elements and of rows beside them.
 pub(crate) fn is_arithmetic(kernel: &Kernel, parallel: &Loop, plan: &Plan) -> bool {
     let body = Body { kernel, parallel, plan };

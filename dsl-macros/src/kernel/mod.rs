@@ -2,6 +2,7 @@
 
 mod access;
 mod arithmetic;
+mod branches;
 mod check;
 mod expand;
 pub(crate) mod func;

@@ -257,7 +257,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     /// A member's first component at an element, and the distance of its components: to be read.
     #[inline(always)]
     pub(crate) fn component(&self, m: usize, at: [u32; MAX_AXES]) -> (*mut u8, usize) {
-        if Map::<R, L, X>::is_sparse(m) {
+        if const { L::BRANCHES > 1 || L::CHAIN.is_sparse() } && Map::<R, L, X>::is_sparse(m) {
             let (block, inner) = Self::split(m, at);
             return self.component_in(m, self.brick(m, &block), &inner);
         }
@@ -268,7 +268,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     /// The same to be written: the element becomes active.
     #[inline(always)]
     pub(crate) fn component_mut(&self, m: usize, at: [u32; MAX_AXES]) -> (*mut u8, usize) {
-        if Map::<R, L, X>::is_sparse(m) {
+        if const { L::BRANCHES > 1 || L::CHAIN.is_sparse() } && Map::<R, L, X>::is_sparse(m) {
             let (block, inner) = Self::split(m, at);
             return self.component_in(m, self.touch(m, &block, &inner), &inner);
         }

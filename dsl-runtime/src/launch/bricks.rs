@@ -70,7 +70,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
 
     /// Where a row of a block begins.
     #[inline(always)]
-    fn row_place(r: usize) -> PerAxis {
+    pub(super) fn row_place(r: usize) -> PerAxis {
         if const { Self::IS_TABLED } {
             let place = Self::PLACES[r];
             return per_axis(
@@ -100,15 +100,15 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             }
             if const { Self::LIST } {
                 self.entries(brick, from..to, fits, run);
-            } else if LIGHT && Self::GRAIN == 0 && from == 0 && to == work && self.is_inside(brick) {
+            } else if const { LIGHT && Self::GRAIN == 0 } && from == 0 && to == work && self.is_inside(brick) {
                 self.whole_brick(brick, fits, run);
-            } else if LIGHT && const { <Self as Space>::MASKED } {
+            } else if const { LIGHT && <Self as Space>::MASKED } {
                 let row = |part: usize| (part * Self::ROWS).div_ceil(work);
                 self.masked_rows(list, n, row(from)..row(to), fits, run);
             } else {
                 // Rows are dealt out in the proportion of the work: the same cut for the job before and for the one behind.
                 let row = |part: usize| (part * Self::ROWS).div_ceil(work);
-                self.rows_of(list, n, row(from)..row(to), fits, run);
+                self.rows_of::<LIGHT>(list, n, row(from)..row(to), fits, run);
             }
             n += 1;
         }
@@ -227,7 +227,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
 
     /// Visits the active elements of some rows of a block.
     #[inline(always)]
-    fn rows_of(
+    fn rows_of<const LIGHT: bool>(
         &self,
         list: &ActiveList,
         n: usize,
@@ -236,13 +236,17 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
         run: &mut impl FnMut(Run<'_, Self>),
     ) {
         let length = <Self as Space>::RUN;
-        let (brick, bits) = (&list.bricks[n], if Self::GRAIN > 0 { list.bits(n) } else { &[] });
+        let (brick, bits) = (&list.bricks[n], if const { Self::GRAIN > 0 } { list.bits(n) } else { &[] });
         let (block, root, inside) = (Self::block_number(brick), self.root(), self.is_inside(brick));
         for r in rows {
             // The row's elements have one bit each, or one for them all.
-            let first_bit = if Self::GRAIN == 1 { r * length } else { r * length / Self::GRAIN.max(1) };
-            let row_bits = if Self::GRAIN == 1 { length } else { 1 };
-            let set = if Self::GRAIN > 0 { next_bit(bits, first_bit, first_bit + row_bits, true) } else { first_bit };
+            let first_bit = if const { Self::GRAIN == 1 } { r * length } else { r * length / Self::GRAIN.max(1) };
+            let row_bits = if const { Self::GRAIN == 1 } { length } else { 1 };
+            let set = if const { Self::GRAIN > 0 } {
+                next_bit(bits, first_bit, first_bit + row_bits, true)
+            } else {
+                first_bit
+            };
             if set == first_bit + row_bits {
                 continue;
             }
@@ -250,7 +254,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             let (first, end) = if inside { (0, length) } else { self.cut(block, inner) };
             let at = self.start(block, inner);
             // One place that runs the body, for pieces of bits and for whole rows: a second one would be a second copy.
-            let mut k = if Self::GRAIN == 1 { set - first_bit } else { first };
+            let mut k = if const { Self::GRAIN == 1 } { set - first_bit } else { first };
             while k < end {
                 let stop = match Self::GRAIN {
                     1 => next_bit(bits, first_bit + k, first_bit + length, false) - first_bit,
@@ -259,7 +263,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
                 let (first, stop_here) = (k.max(first), stop.min(end));
                 if first < stop_here {
                     let (brick, len) = (brick.start, stop_here - first);
-                    let whole = len == length;
+                    let whole = LIGHT && len == length;
                     run(Run {
                         at,
                         first,

@@ -54,7 +54,7 @@ impl<S: Space> Run<'_, S> {
     ) {
         // Short blocks hold no batch: nothing is compiled for them.
         if const { S::RUN > 0 && S::RUN < W } {
-            return self.each(
+            return self.each_of_pieces(
                 halo,
                 #[inline(always)]
                 |cell| body(Part::Cell(cell)),
@@ -70,8 +70,11 @@ impl<S: Space> Run<'_, S> {
             (head, inner(S::RUN.saturating_sub(halo)).max(head))
         };
         let full = head + (tail - head) / W * W;
-        for slot in 0..head {
-            once(&mut body, Part::Cell(self.cell(slot, false)));
+        // Where rows stay in the block, not even the code for the ends is there.
+        if const { S::RUN > 0 && !copies_rows::<S>() } {
+            for slot in 0..head {
+                once(&mut body, Part::Cell(self.cell(slot, false)));
+            }
         }
         for slot in (head..full).step_by(W) {
             once(&mut body, Part::Batch(Batch { run: self, slot }));
@@ -79,8 +82,10 @@ impl<S: Space> Run<'_, S> {
         for slot in full..tail {
             once(&mut body, Part::Cell(self.cell(slot, true)));
         }
-        for slot in tail..self.len {
-            once(&mut body, Part::Cell(self.cell(slot, false)));
+        if const { S::RUN > 0 && !copies_rows::<S>() } {
+            for slot in tail..self.len {
+                once(&mut body, Part::Cell(self.cell(slot, false)));
+            }
         }
     }
 }

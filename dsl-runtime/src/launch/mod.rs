@@ -196,22 +196,25 @@ mod versions {
         plain::<TILED, true, S, Out, F>(body, task)
     }
 
-    pub(super) fn careful<const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
+    /// Where rows always fit, updates that are none of a plain version's are atomic ones: `FITS`.
+    pub(super) fn careful<const FITS: bool, const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
         body: &F,
         task: Task<'_, S>,
     ) -> Out {
-        body(Task { pieces: if TILED { task.pieces } else { &[] }, fused: FUSED, ..task })
+        let atomic = const { FITS && !cfg!(debug_assertions) } || task.atomic;
+        let pieces = if const { TILED } { task.pieces } else { &[] };
+        body(Task { pieces, fits: FITS || task.fits, atomic, fused: FUSED, ..task })
     }
 }
 
 #[inline]
-fn dispatch<const CAREFUL: bool, const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
+fn dispatch<const OWN: bool, const FITS: bool, const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
     cpu: Cpu,
     body: &F,
     task: Task<'_, S>,
 ) -> Out {
-    if cfg!(debug_assertions) || CAREFUL && (!task.fits || task.atomic) {
-        return versions::careful::<TILED, S, Out, F>(body, task);
+    if const { cfg!(debug_assertions) } || const { !OWN } && (!task.fits || task.atomic) {
+        return versions::careful::<FITS, TILED, S, Out, F>(body, task);
     }
     match cpu {
         // SAFETY: `Cpu::chosen` and `Schedule::run` admit only instruction sets that the processor has.
@@ -222,6 +225,60 @@ fn dispatch<const CAREFUL: bool, const TILED: bool, S: Space, Out, F: Fn(Task<'_
         Cpu::Avx2 => unsafe { versions::avx2::<TILED, S, Out, F>(body, task) },
         _ => versions::baseline::<TILED, S, Out, F>(body, task),
     }
+}
+
+/// The tasks of a launch and their results, whatever body they run: what surrounds them is compiled once a space.
+trait Tasks<S: Space>: Sync {
+    /// Makes room for the results of so many.
+    fn expect(&mut self, count: usize);
+    /// Runs one, and keeps its result.
+    fn run(&self, n: usize, cpu: Cpu, task: Task<'_, S>);
+}
+
+/// Tasks that run a body in its version for the processor. `OWN`: it touches its own elements alone; `FITS`: its rows always fit; `TILED`: its
+/// elements may come in pieces.
+struct Bodies<const OWN: bool, const FITS: bool, const TILED: bool, Out, F> {
+    body: F,
+    outs: Slots<Out>,
+}
+
+impl<const OWN: bool, const FITS: bool, const TILED: bool, Out, F> Bodies<OWN, FITS, TILED, Out, F> {
+    /// Whether results take memory.
+    const KEEPS: bool = size_of::<Out>() > 0;
+}
+
+impl<const OWN: bool, const FITS: bool, const TILED: bool, S, Out, F> Tasks<S> for Bodies<OWN, FITS, TILED, Out, F>
+where
+    S: Space,
+    Out: Send,
+    F: Fn(Task<'_, S>) -> Out + Sync,
+{
+    fn expect(&mut self, count: usize) {
+        if const { Self::KEEPS } {
+            self.outs = Slots::new(count);
+        }
+    }
+
+    fn run(&self, n: usize, cpu: Cpu, task: Task<'_, S>) {
+        let out = dispatch::<OWN, FITS, TILED, S, Out, F>(cpu, &self.body, task);
+        if const { Self::KEEPS } {
+            self.outs.put(n, out);
+        }
+    }
+}
+
+/// Runs a body over a space.
+fn all<const OWN: bool, const FITS: bool, const TILED: bool, S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
+    space: &S,
+    options: Options<'_>,
+    key: Option<&Key<'_, S>>,
+    body: F,
+) -> Outs<Out> {
+    assert!(!(OWN || FITS) || options.fits, "rows that might not fit have a version that asks");
+    assert!(!OWN || options.targets.is_empty(), "a loop that accumulates has a version that does so atomically");
+    let mut tasks = Bodies::<OWN, FITS, TILED, Out, F> { body, outs: Slots::new(0) };
+    start(space, options, key, &mut tasks);
+    tasks.outs.take()
 }
 
 /// The most blocks that a space is cut into: enough for load balance on many threads.
@@ -258,17 +315,17 @@ impl<Out> Iterator for Outs<Out> {
     }
 }
 
-/// Runs a loop whose rows may reach outside of their fields, or that accumulates.
+/// Runs a loop that accumulates, or whose rows may reach outside of their fields.
 #[doc(hidden)]
 pub fn launch<S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
     space: &S,
     options: Options<'_>,
     body: F,
 ) -> Outs<Out> {
-    start::<true, false, S, Out, F>(space, options, None, &body)
+    all::<false, false, false, S, Out, F>(space, options, None, body)
 }
 
-/// Runs a loop that accumulates, and knows where before it does.
+/// The same where it is known before it accumulates where.
 #[doc(hidden)]
 pub fn launch_keyed<S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
     space: &S,
@@ -276,7 +333,28 @@ pub fn launch_keyed<S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
     key: Key<'_, S>,
     body: F,
 ) -> Outs<Out> {
-    start::<true, true, S, Out, F>(space, options, Some(&key), &body)
+    all::<false, false, true, S, Out, F>(space, options, Some(&key), body)
+}
+
+/// Runs a loop that accumulates, and whose rows never reach outside.
+#[doc(hidden)]
+pub fn launch_inside<S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
+    space: &S,
+    options: Options<'_>,
+    body: F,
+) -> Outs<Out> {
+    all::<false, true, false, S, Out, F>(space, options, None, body)
+}
+
+/// The same where it is known before it accumulates where.
+#[doc(hidden)]
+pub fn launch_inside_keyed<S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
+    space: &S,
+    options: Options<'_>,
+    key: Key<'_, S>,
+    body: F,
+) -> Outs<Out> {
+    all::<false, true, true, S, Out, F>(space, options, Some(&key), body)
 }
 
 /// Runs a loop that touches its own elements alone.
@@ -286,19 +364,13 @@ pub fn launch_own<S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
     options: Options<'_>,
     body: F,
 ) -> Outs<Out> {
-    start::<false, false, S, Out, F>(space, options, None, &body)
+    all::<true, true, false, S, Out, F>(space, options, None, body)
 }
 
-fn start<const CAREFUL: bool, const TILED: bool, S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
-    space: &S,
-    options: Options<'_>,
-    key: Option<&Key<'_, S>>,
-    body: &F,
-) -> Outs<Out> {
-    assert!(CAREFUL || (options.fits && options.targets.is_empty()), "such a loop has a careful version");
+fn start<S: Space>(space: &S, options: Options<'_>, key: Option<&Key<'_, S>>, tasks: &mut dyn Tasks<S>) {
     let (units, elements) = (space.units(), space.elements());
     if units == 0 || elements == 0 {
-        return Outs(Results::One(None));
+        return;
     }
     let schedule = Schedule::current();
     let cpu = schedule.instruction_set();
@@ -315,7 +387,7 @@ fn start<const CAREFUL: bool, const TILED: bool, S: Space, Out: Send, F: Fn(Task
     let blocks = (elements / grain).clamp(1, MOST_BLOCKS).min(units);
     let block = |b: usize| units * b / blocks..units * (b + 1) / blocks;
     let part = |units| Task::new(space, units, options.fits, alone);
-    let possible = key.filter(|key| TILED && key.is_possible(space, options.targets));
+    let possible = key.filter(|key| key.is_possible(space, options.targets));
     let keys = |b: usize, sink: &mut Sink| key.into_iter().for_each(|key| (key.keys)(part(block(b)), sink));
     let scattered = || possible.and_then(|key| key.scattered_over(space, options.targets, blocks, &keys));
     let tiled = possible.map(|key| Tiled { certain: key.certain, scattered: &scattered });
@@ -324,35 +396,19 @@ fn start<const CAREFUL: bool, const TILED: bool, S: Space, Out: Send, F: Fn(Task
         && let Some(key) = possible
     {
         let bins = key.sort(space, options.targets, plan.threads, blocks, &keys);
+        tasks.expect(bins.jobs());
+        let tasks = &*tasks;
         let tile = |tile: usize, shares: &[Share<'_>]| {
-            let task = Task { pieces: bins.pieces(tile), shares, ..part(0..0) };
-            dispatch::<CAREFUL, TILED, S, Out, F>(cpu, body, task)
+            tasks.run(tile, cpu, Task { pieces: bins.pieces(tile), shares, ..part(0..0) });
         };
-        return results(bins.jobs(), tile, |run| bins.execute(plan.threads, options.targets, run));
+        return bins.execute(plan.threads, options.targets, &tile);
     }
+    tasks.expect(blocks);
+    let tasks = &*tasks;
     let run = |b: usize, shares: &[Share<'_>]| {
-        let task = Task { atomic: plan.atomic, shares, ..part(block(b)) };
-        dispatch::<CAREFUL, TILED, S, Out, F>(cpu, body, task)
+        tasks.run(b, cpu, Task { atomic: plan.atomic, shares, ..part(block(b)) });
     };
-    results(blocks, run, |run| scatter::execute(&plan, options.targets, blocks, run))
-}
-
-/// The results of `run` for so many numbers, which `all` calls once with each.
-#[inline(always)]
-fn results<Out: Send>(
-    count: usize,
-    run: impl Fn(usize, &[Share<'_>]) -> Out + Sync,
-    all: impl FnOnce(&(dyn Fn(usize, &[Share<'_>]) + Sync)),
-) -> Outs<Out> {
-    if size_of::<Out>() == 0 {
-        all(&|n, shares| {
-            run(n, shares);
-        });
-        return Outs(Results::One(None));
-    }
-    let outs = Slots::new(count);
-    all(&|n, shares| outs.put(n, run(n, shares)));
-    outs.take()
+    scatter::execute(&plan, options.targets, blocks, &run);
 }
 
 /// One result a block, put by whichever thread runs it.

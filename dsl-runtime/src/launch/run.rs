@@ -95,25 +95,43 @@ impl<S: Space> Run<'_, S> {
     /// run, so that the compiler makes vectors of them, and what it writes to the others is thrown away.
     #[inline(always)]
     pub fn each_or_all<const N: usize>(&self, halo: [u32; N], floats: bool, mut body: impl FnMut(Cell<'_, S>)) {
-        match self.mask {
-            Some(mask) if floats && self.fits => {
-                for slot in 0..S::RUN {
-                    once(&mut body, Cell { run: self, slot, k: slot, inside: true, chosen: mask.has::<S>(slot) });
-                }
+        if const { S::MASKED }
+            && floats
+            && self.fits
+            && let Some(mask) = self.mask
+        {
+            for slot in 0..S::RUN {
+                once(&mut body, Cell { run: self, slot, k: slot, inside: true, chosen: mask.has::<S>(slot) });
             }
-            _ => self.each(halo, body),
+        } else {
+            self.each(halo, body);
         }
     }
 
     /// Calls `body` for each element. `halo` is how far along each axis rows reach.
     #[inline(always)]
-    pub fn each<const N: usize>(&self, halo: [u32; N], mut body: impl FnMut(Cell<'_, S>)) {
+    pub fn each<const N: usize>(&self, halo: [u32; N], body: impl FnMut(Cell<'_, S>)) {
+        self.each_as::<true, N>(halo, body);
+    }
+
+    /// As [`each`](Self::each) in the runs of [`Task::runs`](super::Task::runs), none of which counts as a whole one.
+    #[inline(always)]
+    pub fn each_of_pieces<const N: usize>(&self, halo: [u32; N], body: impl FnMut(Cell<'_, S>)) {
+        self.each_as::<false, N>(halo, body);
+    }
+
+    /// Conditions on types are blocks of their own wherever the body stands: what they leave out is then not even handed to the optimiser, which
+    /// would write the body out there first.
+    #[inline(always)]
+    fn each_as<const LIGHT: bool, const N: usize>(&self, halo: [u32; N], mut body: impl FnMut(Cell<'_, S>)) {
         let halo = if S::AXIS < N { halo[S::AXIS] as usize } else { 0 };
-        if S::RUN == 0 {
+        if const { S::RUN == 0 } {
             for slot in 0..self.len {
                 once(&mut body, self.cell(slot, true));
             }
-        } else if let Some(mask) = self.mask {
+        } else if const { LIGHT && S::MASKED }
+            && let Some(mask) = self.mask
+        {
             // What the body reads has been copied and what it writes is held back, so that the compiler can do it for all and choose.
             for slot in 0..S::RUN {
                 if mask.has::<S>(slot) {
@@ -122,19 +140,20 @@ impl<S: Space> Run<'_, S> {
             }
         } else if const { copies_rows::<S>() } {
             // Rows that lead into other blocks are copied, so that all cells are alike.
-            if self.whole {
+            if const { LIGHT && S::SPARSE } && self.whole {
                 for slot in 0..S::RUN {
                     once(&mut body, self.cell(slot, true));
                 }
             } else {
                 for slot in 0..self.len {
-                    if const { S::RUN <= SHORT } {
+                    // In dense fields a run is whole or cut where this is written out, not where it runs.
+                    if const { S::RUN <= SHORT } && !self.whole {
                         stay_scalar();
                     }
                     once(&mut body, self.cell(slot, true));
                 }
             }
-        } else if self.whole {
+        } else if const { LIGHT } && self.whole {
             // Head, middle and tail: only the ends reach into neighbouring runs, at constant places.
             let head = halo.min(S::RUN);
             let tail = S::RUN.saturating_sub(halo).max(head);
@@ -171,14 +190,16 @@ impl<S: Space> Run<'_, S> {
     #[inline(always)]
     pub fn strips(&self, mut body: impl FnMut(Run<'_, S>)) {
         let strip = |first, len, whole| Run { first, len, whole, mask: None, owner: PhantomData, ..*self };
-        if let Some(Mask(mask)) = self.mask {
+        if const { S::MASKED }
+            && let Some(Mask(mask)) = self.mask
+        {
             let mut first = next_bit(&[mask], 0, S::RUN, true);
             while first < S::RUN {
                 let end = next_bit(&[mask], first, S::RUN, false);
                 body(strip(first, end - first, false));
                 first = next_bit(&[mask], end, S::RUN, true);
             }
-        } else if S::RUN > 0 && S::RUN <= super::reduction::STRIP {
+        } else if const { S::RUN > 0 && S::RUN <= super::reduction::STRIP } {
             body(strip(self.first, self.len, self.whole));
         } else {
             // Full strips have a constant length, so that their buffer becomes registers.

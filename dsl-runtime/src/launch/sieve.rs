@@ -255,7 +255,7 @@ impl<S: Space, F: Sieve> Space for Sifted<S, F> {
                     #[inline(always)]
                     |first, len| {
                         let (mut at, mut first) = (part.at, first);
-                        if S::RUN == 0 {
+                        if const { S::RUN == 0 } {
                             // Element 0 of such a run is always one of its own.
                             at[S::AXIS] += first as i64;
                             first = 0;

@@ -7,7 +7,7 @@ use super::run::Run;
 use crate::axes::{Axes, I, Ij, Ijk, Ijkl, MAX_AXES, PerAxis, all, per_axis};
 use crate::element::Sealed;
 use crate::index::Integer;
-use crate::layout::node::{Chained, nth_row, order, rows};
+use crate::layout::node::{Chained, order, rows};
 use crate::layout::{Chain, Digit, Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record, Whole};
 use crate::scatter::Piece;
@@ -110,7 +110,7 @@ pub trait Space: Copy + Send + Sync + Sealed + 'static {
 fn start_of<X: Axes>(piece: Piece, axis: usize, extent: impl Fn(usize) -> usize) -> PerAxis {
     let mut start = [0; MAX_AXES];
     let mut rest = piece.first as usize;
-    if X::RANK > 1 {
+    if const { X::RANK > 1 } {
         start[axis] = rest % extent(axis);
         rest /= extent(axis);
         for a in (0..X::RANK).rev().filter(|&a| a != axis) {
@@ -349,10 +349,10 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
         let (first, end) = (block[last], block[last] + len);
         let extent = const { <Self as Space>::EXTENT[Self::FASTEST] };
         let whole = (self.first[last] as usize).div_ceil(extent).clamp(first, end);
-        let cut = if LIGHT && beside { (self.end[last] as usize / extent).clamp(whole, end) } else { whole };
+        let cut = if const { LIGHT } && beside { (self.end[last] as usize / extent).clamp(whole, end) } else { whole };
         let mut b = first;
         while b < end {
-            if b < whole || b >= cut {
+            if const { !LIGHT } || b < whole || b >= cut {
                 self.cut_block(nth(b), fits, run);
                 b += 1;
             } else {
@@ -394,7 +394,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
     fn cut_block(&self, block: PerAxis, fits: bool, run: &mut impl FnMut(Run<'_, Self>)) {
         let (axis, length) = (<Self as Space>::AXIS, <Self as Space>::RUN as i64);
         for r in 0..const { <Self as Chained<X>>::CHAIN.rows } {
-            let inner = nth_row::<X>(<Self as Chained<X>>::CHAIN, r);
+            let inner = Self::row_place(r);
             let place = Self::place(block, inner);
             let inside = all::<X>(
                 #[inline(always)]

@@ -41,7 +41,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         round_up(Self::STREAMS.bytes(L::CHAIN.leaf, Self::STREAMS.align), Self::STREAMS.align);
     /// Bytes of one of the root's cells (constant trees).
     pub(super) const BLOCK_BYTES: usize =
-        if Self::FLAT { 0 } else { L::CHAIN.cells / L::CHAIN.leaf * Self::LEAF_BYTES };
+        if const { Self::FLAT } { 0 } else { L::CHAIN.cells / L::CHAIN.leaf * Self::LEAF_BYTES };
     const FACTS: &'static [Facts; MAX_MEMBERS] = &{
         let nowhere = Streams::NOWHERE;
         let mut facts = [Facts { seat: nowhere, start: 0, stride: 0, component: 0, here: false }; MAX_MEMBERS];
@@ -74,13 +74,13 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
 
     // A function: a constant of its own rest would be evaluated though there is none.
     const fn line() -> usize {
-        let rest = if L::BRANCHES > 1 { Map::<R, L::Rest, X>::line() } else { LINE };
+        let rest = if const { L::BRANCHES > 1 } { Map::<R, L::Rest, X>::line() } else { LINE };
         if Self::RUN_LINE > rest { Self::RUN_LINE } else { rest }
     }
 
     /// How many branches hold a member.
     const fn branches_with(m: usize) -> usize {
-        let rest = if L::BRANCHES > 1 { Map::<R, L::Rest, X>::branches_with(m) } else { 0 };
+        let rest = if const { L::BRANCHES > 1 } { Map::<R, L::Rest, X>::branches_with(m) } else { 0 };
         Self::FACTS[m].here as usize + rest
     }
 
@@ -93,17 +93,17 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// Where a member stands. A call would hide from loops that it is a constant: clearing whole records took three times as long.
     #[inline(always)]
     const fn facts(m: usize) -> &'static Facts {
-        if Self::here(m) { &Self::FACTS[m] } else { Map::<R, L::Rest, X>::facts(m) }
+        if const { L::BRANCHES == 1 } || Self::here(m) { &Self::FACTS[m] } else { Map::<R, L::Rest, X>::facts(m) }
     }
 
     /// The branch that a member stands in.
     pub(crate) const fn chain(m: usize) -> &'static Chain {
-        if Self::here(m) { Self::CHAIN } else { Map::<R, L::Rest, X>::chain(m) }
+        if const { L::BRANCHES == 1 } || Self::here(m) { Self::CHAIN } else { Map::<R, L::Rest, X>::chain(m) }
     }
 
     /// The number of a member's branch.
     pub(crate) const fn branch(m: usize) -> usize {
-        if Self::here(m) { 0 } else { 1 + Map::<R, L::Rest, X>::branch(m) }
+        if const { L::BRANCHES == 1 } || Self::here(m) { 0 } else { 1 + Map::<R, L::Rest, X>::branch(m) }
     }
 
     /// Whether so many members from one on stand in one branch.
@@ -121,7 +121,11 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// The geometry of a member's branch.
     #[inline(always)]
     pub(crate) fn geometry(geometry: &Geometry, m: usize) -> Geometry {
-        if Self::here(m) { *geometry } else { Map::<R, L::Rest, X>::geometry(&geometry.rest::<L, X>(), m) }
+        if const { L::BRANCHES == 1 } || Self::here(m) {
+            *geometry
+        } else {
+            Map::<R, L::Rest, X>::geometry(&geometry.rest::<L, X>(), m)
+        }
     }
 
     /// The root's fastest axis, whose stride is 1 by construction: a constant.
@@ -133,7 +137,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// The root's cells between neighbours along an axis, in a member's branch.
     #[inline(always)]
     pub(crate) fn root_stride(geometry: &Geometry, m: usize, axis: usize) -> usize {
-        if !Self::here(m) {
+        if const { L::BRANCHES > 1 } && !Self::here(m) {
             return Map::<R, L::Rest, X>::root_stride(&geometry.rest::<L, X>(), m, axis);
         }
         if axis == Self::FASTEST { 1 } else { geometry.stride[axis] }
@@ -142,12 +146,16 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// Bytes of one of the root's cells in a member's branch (constant trees).
     #[inline(always)]
     pub(crate) const fn block_bytes(m: usize) -> usize {
-        if Self::here(m) { Self::BLOCK_BYTES } else { Map::<R, L::Rest, X>::block_bytes(m) }
+        if const { L::BRANCHES == 1 } || Self::here(m) {
+            Self::BLOCK_BYTES
+        } else {
+            Map::<R, L::Rest, X>::block_bytes(m)
+        }
     }
 
     /// Bytes of an innermost node of a member's branch (constant trees).
     pub(crate) const fn leaf_bytes(m: usize) -> usize {
-        if Self::here(m) { Self::LEAF_BYTES } else { Map::<R, L::Rest, X>::leaf_bytes(m) }
+        if const { L::BRANCHES == 1 } || Self::here(m) { Self::LEAF_BYTES } else { Map::<R, L::Rest, X>::leaf_bytes(m) }
     }
 
     /// Where a member stands in its stream.
@@ -157,16 +165,20 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
 
     /// Whether every component of a member lies at a multiple of its size.
     pub(crate) const fn aligned(m: usize) -> bool {
-        if Self::here(m) { Self::STREAMS.aligned(m) } else { Map::<R, L::Rest, X>::aligned(m) }
+        if const { L::BRANCHES == 1 } || Self::here(m) {
+            Self::STREAMS.aligned(m)
+        } else {
+            Map::<R, L::Rest, X>::aligned(m)
+        }
     }
 
     /// Bytes of the first branch; `None` where they overflow.
     fn branch_bytes(geometry: &Geometry) -> Option<usize> {
         let cells = geometry.cells as u128;
-        let bytes = if L::CHAIN.is_sparse() {
+        let bytes = if const { L::CHAIN.is_sparse() } {
             // The address of what holds the blocks.
             Self::LINE as u128
-        } else if Self::FLAT {
+        } else if const { Self::FLAT } {
             let streams = Self::STREAMS;
             let run = |item: usize| (cells * item as u128).next_multiple_of(Self::RUN_LINE as u128);
             streams.streams[..streams.count].iter().map(|s| s.repeats as u128 * run(s.item)).sum()
@@ -179,9 +191,9 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// Where the branches behind the first begin.
     #[inline(always)]
     pub(super) fn rest_start(geometry: &Geometry) -> usize {
-        let bytes = if L::CHAIN.is_sparse() {
+        let bytes = if const { L::CHAIN.is_sparse() } {
             Self::LINE
-        } else if Self::FLAT {
+        } else if const { Self::FLAT } {
             Self::flat_start(geometry.cells, Self::STREAMS.count)
         } else {
             geometry.cells.wrapping_mul(Self::BLOCK_BYTES)
@@ -192,7 +204,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// All bytes of a field; `None` where they overflow.
     pub(crate) fn bytes(geometry: &Geometry) -> Option<usize> {
         let bytes = Self::branch_bytes(geometry)?;
-        if L::BRANCHES == 1 {
+        if const { L::BRANCHES == 1 } {
             return Some(bytes);
         }
         let rest = Map::<R, L::Rest, X>::bytes(&geometry.rest::<L, X>())?;
@@ -224,12 +236,12 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// Where member `m` of a flat root, or of each innermost node, begins: in a sparse branch, within its block.
     #[inline(always)]
     pub(crate) fn start(geometry: &Geometry, m: usize) -> usize {
-        if !Self::here(m) {
+        if const { L::BRANCHES > 1 } && !Self::here(m) {
             let rest = Map::<R, L::Rest, X>::start(&geometry.rest::<L, X>(), m);
             let before = if Self::chain(m).is_sparse() { 0 } else { Self::rest_start(geometry) };
             return before.wrapping_add(rest);
         }
-        if Self::FLAT {
+        if const { Self::FLAT } {
             let seat = Self::FACTS[m].seat;
             if Self::STREAMS.count == 1 {
                 return seat.offset;
@@ -254,10 +266,10 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// Bytes between the components of member `m`.
     #[inline(always)]
     pub(crate) fn component(geometry: &Geometry, m: usize) -> usize {
-        if !Self::here(m) {
+        if const { L::BRANCHES > 1 } && !Self::here(m) {
             return Map::<R, L::Rest, X>::component(&geometry.rest::<L, X>(), m);
         }
-        if Self::FLAT {
+        if const { Self::FLAT } {
             let seat = Self::FACTS[m].seat;
             if seat.split { round_up(geometry.cells * Self::FACTS[m].stride, Self::RUN_LINE) } else { seat.scalar }
         } else {
@@ -290,10 +302,10 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// What coordinate `c` along `axis` adds to the offset of member `m`.
     #[inline(always)]
     pub(crate) fn term(geometry: &Geometry, m: usize, axis: usize, c: u32) -> usize {
-        if !Self::here(m) {
+        if const { L::BRANCHES > 1 } && !Self::here(m) {
             return Map::<R, L::Rest, X>::term(&geometry.rest::<L, X>(), m, axis, c);
         }
-        if Self::FLAT {
+        if const { Self::FLAT } {
             (c as usize).wrapping_mul(Self::root_stride(geometry, m, axis)).wrapping_mul(Self::stride(m))
         } else {
             let extent = Self::CHAIN.extent[axis] as u32;
@@ -308,7 +320,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// What coordinate `c` within a block along `axis` adds to the offset of member `m` (constant trees).
     #[inline(always)]
     pub(crate) fn inner(m: usize, axis: usize, c: usize) -> usize {
-        if !Self::here(m) {
+        if const { L::BRANCHES > 1 } && !Self::here(m) {
             return Map::<R, L::Rest, X>::inner(m, axis, c);
         }
         <L::Inner as Inner<X>>::term(axis, c, Self::LEAF_BYTES, Self::stride(m))

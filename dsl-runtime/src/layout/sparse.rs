@@ -84,7 +84,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// Where in the field's memory the address of the store of a member's branch stands.
     #[inline(always)]
     pub(crate) fn store_at(geometry: &Geometry, m: usize) -> usize {
-        if Self::here(m) {
+        if const { L::BRANCHES == 1 } || Self::here(m) {
             0
         } else {
             Self::rest_start(geometry).wrapping_add(Map::<R, L::Rest, X>::store_at(&geometry.rest::<L, X>(), m))
@@ -93,7 +93,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
 
     /// Makes the stores of all sparse branches, each with where its address goes; `None` where the system refuses the memory.
     pub(crate) fn stores(geometry: &Geometry, at: usize, stores: &mut Vec<(usize, Box<Store>)>) -> Option<()> {
-        if Self::SPARSE {
+        if const { Self::SPARSE } {
             let cells = (!Self::HASHED).then(|| geometry.cells.checked_mul(Self::CELL));
             let cells = match cells {
                 Some(bytes) => Some(bytes?),
@@ -101,7 +101,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
             };
             stores.push((at, Store::new(Self::SIZES, cells)?));
         }
-        if L::BRANCHES > 1 {
+        if const { L::BRANCHES > 1 } {
             Map::<R, L::Rest, X>::stores(&geometry.rest::<L, X>(), at + Self::rest_start(geometry), stores)?;
         }
         Some(())
@@ -134,7 +134,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// The block at a place within the field, of a member's branch; null where there is none.
     #[inline(always)]
     pub(crate) fn find(geometry: &Geometry, store: &Store, m: usize, block: &Block) -> *mut u8 {
-        if !Self::here(m) {
+        if const { L::BRANCHES > 1 } && !Self::here(m) {
             return Map::<R, L::Rest, X>::find(&geometry.rest::<L, X>(), store, m, block);
         }
         let cell = Self::root_cell(geometry, store, block);
@@ -159,7 +159,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     #[cold]
     #[inline(never)]
     pub(crate) fn grow(geometry: &Geometry, store: &Store, m: usize, block: &Block) -> *mut u8 {
-        if !Self::here(m) {
+        if const { L::BRANCHES > 1 } && !Self::here(m) {
             return Map::<R, L::Rest, X>::grow(&geometry.rest::<L, X>(), store, m, block);
         }
         let cell = Self::grown_cell(geometry, store, block);
@@ -186,7 +186,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// The number of a cell of a block in memory order.
     #[inline(always)]
     pub(crate) fn cell_number(m: usize, inner: &[u32; MAX_AXES]) -> usize {
-        if !Self::here(m) {
+        if const { L::BRANCHES > 1 } && !Self::here(m) {
             return Map::<R, L::Rest, X>::cell_number(m, inner);
         }
         sum::<X>(
@@ -207,13 +207,13 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// Where the activity bits of a block begin.
     #[inline(always)]
     pub(crate) const fn bits_at(m: usize) -> usize {
-        if Self::here(m) { Self::SIZES.bits_at } else { Map::<R, L::Rest, X>::bits_at(m) }
+        if const { L::BRANCHES == 1 } || Self::here(m) { Self::SIZES.bits_at } else { Map::<R, L::Rest, X>::bits_at(m) }
     }
 
     /// Visits all blocks of a member's branch that the store holds, in the order of the tree: where the root is a hash, in that of the
     /// blocks' coordinates.
     pub(crate) fn walk(geometry: &Geometry, store: &Store, m: usize, visit: &mut dyn FnMut(Brick)) {
-        if !Self::here(m) {
+        if const { L::BRANCHES > 1 } && !Self::here(m) {
             return Map::<R, L::Rest, X>::walk(&geometry.rest::<L, X>(), store, m, visit);
         }
         let roots = Self::roots(geometry, store);
@@ -236,7 +236,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     #[inline]
     fn root(geometry: &Geometry, store: &Store, roots: &Roots, n: usize) -> (*mut u8, Block) {
         let span = |at: Block| -> Block { core::array::from_fn(|a| at[a] * Self::SPAN[a] as u32) };
-        if Self::HASHED {
+        if const { Self::HASHED } {
             let Hashed { key, cell, .. } = roots.hashed[n];
             return (cell, span(key));
         }
@@ -287,23 +287,27 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
 
     /// The number of a member's branch among the sparse ones.
     pub(crate) const fn sparse_branch(m: usize) -> usize {
-        if Self::here(m) { 0 } else { Self::SPARSE as usize + Map::<R, L::Rest, X>::sparse_branch(m) }
+        if const { L::BRANCHES == 1 } || Self::here(m) {
+            0
+        } else {
+            Self::SPARSE as usize + Map::<R, L::Rest, X>::sparse_branch(m)
+        }
     }
 
     /// Empties the sparse branches, whose stores these are.
     pub(crate) fn clear(geometry: &Geometry, stores: &mut dyn Iterator<Item = &mut Store>) {
-        if Self::SPARSE {
+        if const { Self::SPARSE } {
             let store = stores.next().expect("a store for each sparse branch");
             Self::sweep(geometry, store, &mut |_| false);
         }
-        if L::BRANCHES > 1 {
+        if const { L::BRANCHES > 1 } {
             Map::<R, L::Rest, X>::clear(&geometry.rest::<L, X>(), stores);
         }
     }
 
     /// Gives back the blocks that hold the background alone; of lists, those without entries.
     pub(crate) fn prune(geometry: &Geometry, stores: &mut dyn Iterator<Item = &mut Store>) {
-        if Self::SPARSE {
+        if const { Self::SPARSE } {
             let store = stores.next().expect("a store for each sparse branch");
             let (background, bytes) = (store.background, store.sizes.bits_at);
             // SAFETY: a block and the background have so many bytes, all initialised, and `&mut` is exclusive.
@@ -311,14 +315,14 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
             let is_list = Self::list().is_some();
             Self::sweep(geometry, store, &mut |brick| is_list || records(brick.start) != records(background));
         }
-        if L::BRANCHES > 1 {
+        if const { L::BRANCHES > 1 } {
             Map::<R, L::Rest, X>::prune(&geometry.rest::<L, X>(), stores);
         }
     }
 
     /// Gives back blocks of a member's branch without lists, which nobody uses any more.
     pub(crate) fn release(geometry: &Geometry, store: &Store, m: usize, blocks: &[Block]) {
-        if !Self::here(m) {
+        if const { L::BRANCHES > 1 } && !Self::here(m) {
             return Map::<R, L::Rest, X>::release(&geometry.rest::<L, X>(), store, m, blocks);
         }
         match &store.hash {
@@ -347,7 +351,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
 
     /// The active elements of a member's branch, looked for in parallel.
     pub(crate) fn active(geometry: &Geometry, store: &Store, m: usize) -> ActiveList {
-        if !Self::here(m) {
+        if const { L::BRANCHES > 1 } && !Self::here(m) {
             return Map::<R, L::Rest, X>::active(&geometry.rest::<L, X>(), store, m);
         }
         let roots = Self::roots(geometry, store);

@@ -213,9 +213,12 @@ impl<'b, L: Layout<X>, X: Axes> Based<'b, L, X> {
     #[inline(always)]
     #[track_caller]
     pub(super) fn plus(&self, offset: [i64; MAX_AXES], site: &'static Site) -> [u32; MAX_AXES] {
-        if !self.holds(offset) {
-            return self.far(offset, site);
-        }
+        if self.holds(offset) { self.plus_held(offset) } else { self.far(offset, site) }
+    }
+
+    /// `base + offset` where the offset is known to lie in the box.
+    #[inline(always)]
+    pub(super) fn plus_held(&self, offset: [i64; MAX_AXES]) -> [u32; MAX_AXES] {
         per_axis(
             #[inline(always)]
             |a| if a < X::RANK { self.base[a].wrapping_add(offset[a] as u32) } else { 0 },

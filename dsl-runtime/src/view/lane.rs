@@ -110,8 +110,11 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
         } else {
             (handle.root.wrapping_add(Map::<R, L, X>::start(geometry, Self::MEMBER)), core::ptr::null_mut())
         };
-        let component =
-            if Self::COMPONENT == 0 { Map::<R, L, X>::component(geometry, Self::MEMBER) } else { Self::COMPONENT };
+        let component = if const { Self::COMPONENT == 0 } {
+            Map::<R, L, X>::component(geometry, Self::MEMBER)
+        } else {
+            Self::COMPONENT
+        };
         Self { handle, site, start, background, component, path: PhantomData }
     }
 
@@ -132,7 +135,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
     #[track_caller]
     pub(super) fn locate<T: IntoIndex<X>>(&self, index: T) -> [u32; MAX_AXES] {
         let at = index.coordinates();
-        if T::CHECKED { self.place_of(at) } else { self.handle.geometry.place(at) }
+        if const { T::CHECKED } { self.place_of(at) } else { self.handle.geometry.place(at) }
     }
 
     /// The place of logical coordinates that lie within the shape.
@@ -164,7 +167,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
     pub(super) fn near_own<'b>(&self, base: &'b Based<'b, L, X>, offset: [i64; MAX_AXES]) -> Near<'b, L, X> {
         debug_assert!(base.is_of(self.handle.root), "a base of where this job accumulates");
         assert!(base.holds(offset), "an offset in the box of its base");
-        Near { base, own: true, offset, place: base.plus(offset, self.site) }
+        Near { base, own: true, offset, place: base.plus_held(offset) }
     }
 
     /// The place that a boundary rule gives for an index.
@@ -232,7 +235,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
             #[inline(always)]
             |a| Map::<R, L, X>::term(&self.handle.geometry, Self::MEMBER, a, at[a]),
         );
-        let component = if Self::COMPONENT == 0 { self.component } else { Self::COMPONENT };
+        let component = if const { Self::COMPONENT == 0 } { self.component } else { Self::COMPONENT };
         (self.start.wrapping_add(offset), component)
     }
 
@@ -242,7 +245,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
     /// The element lies within the shape, and nobody writes the path there meanwhile.
     #[inline(always)]
     pub(super) unsafe fn read(&self, spot: impl Spot<L, X>) -> P::Value {
-        if P::MEMBER.is_none() {
+        if const { P::MEMBER.is_none() } {
             // SAFETY: as the caller promises.
             return unsafe { self.handle.read::<P>(spot.place()) };
         }

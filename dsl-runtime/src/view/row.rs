@@ -100,7 +100,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
 
     #[inline(always)]
     fn component(&self) -> usize {
-        if Self::COMPONENT == 0 {
+        if const { Self::COMPONENT == 0 } {
             Map::<R, L, X>::component(&self.handle.geometry, Self::MEMBER)
         } else {
             Self::COMPONENT
@@ -126,16 +126,19 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
         if const { Self::SPARSE && matches!(Self::KIND, Kind::Blocks) } {
             return Self::in_brick(handle, site, run, offset);
         }
-        let from = match Self::KIND {
-            Kind::Even => Self::zero(geometry).wrapping_add(sum::<X>(
+        let from = if const { matches!(Self::KIND, Kind::Any) } {
+            0
+        } else if const { matches!(Self::KIND, Kind::Even) } {
+            Self::zero(geometry).wrapping_add(sum::<X>(
                 #[inline(always)]
                 |a| {
                     let at = run.at[a].wrapping_add(offset[a]) as usize;
                     at.wrapping_mul(Map::<R, L, X>::root_stride(geometry, Self::MEMBER, a)).wrapping_mul(Self::STRIDE)
                 },
-            )),
+            ))
+        } else {
             // The launch has found that both fields have one origin.
-            Kind::Blocks => Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_add(sum::<X>(
+            Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_add(sum::<X>(
                 #[inline(always)]
                 |a| {
                     if a == S::AXIS {
@@ -145,8 +148,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
                         Self::block_term(&handle, a, run.block[a], run.inner[a] as i64 + offset[a])
                     }
                 },
-            )),
-            Kind::Any => 0,
+            ))
         };
         let (start, place) = (handle.root.wrapping_add(from), run.inner[S::AXIS] as i64);
         let (block, brick) = ([0; MAX_AXES], Cell::new(core::ptr::null_mut()));
@@ -345,33 +347,30 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
     #[inline(always)]
     unsafe fn address(&self, cell: &RunCell<'_, S>) -> *mut u8 {
         let geometry = &self.handle.geometry;
-        match Self::KIND {
-            Kind::Even => {
-                let step = Map::<R, L, X>::root_stride(geometry, Self::MEMBER, S::AXIS);
-                let bytes = cell.k.wrapping_mul(step.wrapping_mul(Self::STRIDE));
-                if S::RUN == 0 {
-                    // SAFETY: element 0 is visited too, so that it and the cell both lie in the field's memory.
-                    unsafe { self.start.add(bytes) }
-                } else {
-                    // Element 0 of a cut run may lie outside.
-                    self.start.wrapping_add(bytes)
-                }
+        if const { matches!(Self::KIND, Kind::Even) } {
+            let step = Map::<R, L, X>::root_stride(geometry, Self::MEMBER, S::AXIS);
+            let bytes = cell.k.wrapping_mul(step.wrapping_mul(Self::STRIDE));
+            if const { S::RUN == 0 } {
+                // SAFETY: element 0 is visited too, so that it and the cell both lie in the field's memory.
+                unsafe { self.start.add(bytes) }
+            } else {
+                // Element 0 of a cut run may lie outside.
+                self.start.wrapping_add(bytes)
             }
-            Kind::Blocks if const { Self::SPARSE } => {
-                let (_, along, brick) = self.block_of(cell);
-                self.in_block(cell, along, brick)
-            }
-            Kind::Blocks => {
-                let along = self.offset[S::AXIS];
-                let term = if cell.inside {
-                    Map::<R, L, X>::inner(Self::MEMBER, S::AXIS, self.place as usize)
-                        .wrapping_add(((cell.k as i64 + along) as usize).wrapping_mul(Self::STRIDE))
-                } else {
-                    Self::block_term(&self.handle, S::AXIS, 0, self.place + cell.k as i64 + along)
-                };
-                self.start.wrapping_add(term)
-            }
-            Kind::Any => self.start,
+        } else if const { matches!(Self::KIND, Kind::Any) } {
+            self.start
+        } else if const { Self::SPARSE } {
+            let (_, along, brick) = self.block_of(cell);
+            self.in_block(cell, along, brick)
+        } else {
+            let along = self.offset[S::AXIS];
+            let term = if cell.inside {
+                Map::<R, L, X>::inner(Self::MEMBER, S::AXIS, self.place as usize)
+                    .wrapping_add(((cell.k as i64 + along) as usize).wrapping_mul(Self::STRIDE))
+            } else {
+                Self::block_term(&self.handle, S::AXIS, 0, self.place + cell.k as i64 + along)
+            };
+            self.start.wrapping_add(term)
         }
     }
 
@@ -410,7 +409,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
     #[inline(always)]
     #[track_caller]
     fn get(&self, cell: &RunCell<'_, S>) -> P::Value {
-        if Self::KIND == Kind::Any || !self.fits {
+        if const { matches!(Self::KIND, Kind::Any) } || !self.fits {
             let at = self.checked(cell);
             // SAFETY: `checked` returns places within the shape; who else may touch them is the view's promise.
             return unsafe { self.handle.read::<P>(at) };
@@ -434,7 +433,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
     #[inline(always)]
     #[track_caller]
     unsafe fn set(&self, cell: &RunCell<'_, S>, value: P::Value) {
-        if Self::KIND == Kind::Any || !self.fits {
+        if const { matches!(Self::KIND, Kind::Any) } || !self.fits {
             let at = self.checked(cell);
             // SAFETY: `checked` returns places within the shape; the caller has the element.
             return unsafe { self.handle.write::<P>(at, value) };
@@ -442,7 +441,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
         if const { Self::SPARSE && !Self::OF_LOOP } {
             self.activate(cell);
         }
-        if Self::INTERLEAVED {
+        if const { Self::INTERLEAVED } {
             // With AVX-512 the stores would be scattered, at several times the cost of scalar ones.
             stay_scalar();
         }
@@ -482,7 +481,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> R
         copy: &'b Buffer<List<R, P>>,
     ) -> Self {
         let line = Line::<'a, R, L, X, P, S, H>::new(handle, site, run, offset);
-        if line.is_copied() {
+        if const { Line::<'static, R, L, X, P, S, H>::COPIED } && line.is_copied() {
             line.copy(run, copy);
         }
         Self { line, copy }
@@ -501,7 +500,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> R
     #[inline(always)]
     #[track_caller]
     pub fn get(&self, cell: &RunCell<'_, S>) -> P::Value {
-        if self.line.is_copied() {
+        if const { Line::<'static, R, L, X, P, S, H>::COPIED } && self.line.is_copied() {
             // SAFETY: `new` has copied the values of the run, of which the cell is.
             return P::Value::from_elements(unsafe { self.copy.take(cell.k + AHEAD as usize) });
         }
@@ -620,7 +619,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> H
         buffer: &'b Buffer<List<R, P>>,
     ) -> Self {
         let this = Self { line: Line::new(handle, site, run, [0; MAX_AXES]), buffer };
-        if this.holds(run) {
+        if const { Self::HOLDS } && this.holds(run) {
             // One by one: values that are copied as bytes never become registers.
             for k in 0..S::RUN {
                 buffer.put(k, this.line.get(&run.cell(k, true)).into_elements());
@@ -647,7 +646,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> H
     #[inline(always)]
     #[track_caller]
     pub fn get(&self, cell: &RunCell<'_, S>) -> P::Value {
-        if self.holds(cell.run) {
+        if const { Self::HOLDS } && self.holds(cell.run) {
             // SAFETY: `new` has put all values of a whole run.
             return P::Value::from_elements(unsafe { self.buffer.take(cell.slot) });
         }
@@ -661,7 +660,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> H
     #[inline(always)]
     #[track_caller]
     pub fn set(&self, cell: &RunCell<'_, S>, value: P::Value) {
-        if self.holds(cell.run) {
+        if const { Self::HOLDS } && self.holds(cell.run) {
             self.buffer.put(cell.slot, value.into_elements());
             return;
         }
@@ -673,7 +672,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> H
     /// Stores what was held back.
     #[inline(always)]
     pub fn flush(&self, run: &Run<'_, S>) {
-        if !self.holds(run) {
+        if const { !Self::HOLDS } || !self.holds(run) {
             return;
         }
         for k in 0..S::RUN {

@@ -16,8 +16,8 @@ const GATHER: usize = 2;
 const MATERIAL: usize = 3;
 
 /// A medium with its clock, and the order in which its particles were given.
-pub(super) struct Driver<M: Medium> {
-    medium: M,
+pub(super) struct Driver {
+    medium: Box<dyn Medium>,
     scene: Scene,
     setup: MpmSetup,
     /// For each place in memory, which particle of the scene lies there.
@@ -26,10 +26,15 @@ pub(super) struct Driver<M: Medium> {
     steps: u64,
 }
 
-impl<M: Medium> Driver<M> {
-    pub(super) fn new(scene: &Scene, setup: &MpmSetup, particles: &Particles) -> Result<Self, SceneError> {
+impl Driver {
+    pub(super) fn new<M: Medium + 'static>(
+        scene: &Scene,
+        setup: &MpmSetup,
+        particles: &Particles,
+    ) -> Result<Self, SceneError> {
         let medium = M::new(scene, setup, particles).map_err(|fault| SceneError::memory(&*scene.file, fault))?;
         let identity = (0..particles.x.len() as u32).collect();
+        let medium = Box::new(medium);
         Ok(Self { medium, scene: scene.clone(), setup: setup.clone(), identity, order: Order::default(), steps: 0 })
     }
 
@@ -96,9 +101,9 @@ impl<M: Medium> Driver<M> {
     }
 }
 
-impl<M: Medium> Simulation for Driver<M> {
+impl Simulation for Driver {
     fn kernel_names(&self) -> &'static [&'static str] {
-        match (M::DEFORMS, self.setup.reorder != Reorder::Never) {
+        match (self.medium.deforms(), self.setup.reorder != Reorder::Never) {
             (false, false) => &["scatter", "grid", "gather"],
             (false, true) => &["scatter", "grid", "gather", "sort"],
             (true, false) => &["scatter", "grid", "gather", "material"],
@@ -127,7 +132,7 @@ impl<M: Medium> Simulation for Driver<M> {
         lap(GRID);
         self.medium.gather();
         lap(GATHER);
-        if M::DEFORMS {
+        if self.medium.deforms() {
             self.medium.deform();
             lap(MATERIAL);
         }

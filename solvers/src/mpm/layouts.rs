@@ -14,10 +14,12 @@ use super::setup::{Material, MpmSetup, Scheme, Transfer};
 use super::stability;
 use crate::layout_pairs::layout_pairs;
 use crate::scene::{Particles, Wall};
-use crate::{Built, Scene};
+use crate::{Built, Scene, SceneError};
 
 /// A layout of particles, whatever their record.
 trait OfPoints {
+    /// Whether transfers other than APIC are compiled in the default build too.
+    const COMMON: bool;
     type Fluid: Layout<I> + 'static;
     type Affine<X: Dimensions>: Layout<I> + 'static;
     type Plain<X: Dimensions>: Layout<I> + 'static;
@@ -26,8 +28,9 @@ trait OfPoints {
 
 /// Any layout that names no members serves all records.
 macro_rules! for_all_records {
-    ($($layout:ty),*) => {$(
+    ($($layout:ty: $common:literal),*) => {$(
         impl OfPoints for $layout {
+            const COMMON: bool = $common;
             type Fluid = Self;
             type Affine<X: Dimensions> = Self;
             type Plain<X: Dimensions> = Self;
@@ -36,12 +39,13 @@ macro_rules! for_all_records {
     )*};
 }
 
-for_all_records!(Aos, Soa, Split, AoSoA<16>);
+for_all_records!(Aos: true, Soa: true, Split: false, AoSoA<16>: false);
 
 /// What both transfers touch lies together, what only the material needs lies apart.
 struct Hot;
 
 impl OfPoints for Hot {
+    const COMMON: bool = false;
     // A fluid's particles are hot all over.
     type Fluid = Aos;
     type Affine<X: Dimensions> = HotAffine<X>;
@@ -127,12 +131,23 @@ fn is_sparse(layout: &str) -> bool {
     LAYOUTS.iter().any(|info| info.name == layout && info.sparse)
 }
 
+/// Whether a transfer is compiled in a layout of particles.
+const fn has_all_transfers<P: OfPoints>() -> bool {
+    P::COMMON || cfg!(feature = "all-layouts")
+}
+
 /// Why a scene makes no sense in a layout, if it does not.
 pub(super) fn unfit(scene: &Scene, layout: &str) -> Option<&'static str> {
     let Ok(setup) = scene.setup::<MpmSetup>() else { return Some("it is a scene of another solver") };
     if setup.sparse && !is_sparse(layout) {
         return Some(
             "its domain is larger than a dense grid can be: take a layout with a sparse one, such as `aos+hash4`",
+        );
+    }
+    let common = layout.starts_with("aos+") || layout.starts_with("soa+");
+    if !common && setup.transfer.scheme != Scheme::Apic && !cfg!(feature = "all-layouts") {
+        return Some(
+            "in the default build PIC, FLIP and PolyPIC have particles interleaved or in an array for each member: build with `--features all-layouts`",
         );
     }
     (layout.starts_with("hot+") && is_fluid(setup))
@@ -164,11 +179,15 @@ where
     }
     match setup.transfer.scheme {
         Scheme::Apic => boxed::<Continuum<X, Affine, P::Affine<X>, G>>(scene, setup, particles),
+        // A condition on types: what it leaves out is not compiled.
+        _ if const { !has_all_transfers::<P>() } => {
+            Err(SceneError::new(&*scene.file, "its transfer is not in this build in the layout that was asked for"))
+        }
         Scheme::Pic | Scheme::Flip { .. } => boxed::<Continuum<X, Plain, P::Plain<X>, G>>(scene, setup, particles),
         Scheme::PolyPic { .. } => boxed::<Continuum<X, Polynomial, P::Polynomial<X>, G>>(scene, setup, particles),
     }
 }
 
 fn boxed<M: Medium + 'static>(scene: &Scene, setup: &MpmSetup, particles: &Particles) -> Built {
-    Ok(Box::new(Driver::<M>::new(scene, setup, particles)?))
+    Ok(Box::new(Driver::new::<M>(scene, setup, particles)?))
 }

@@ -7,14 +7,18 @@ use super::MpmSetup;
 use crate::scene::{Particles, Scene};
 use crate::{Array, State};
 
-/// The state of a medium in one pair of layouts, and the parts of a step.
-pub(super) trait Medium: Send + Sized {
-    /// Whether [`deform`](Self::deform) does anything.
-    const DEFORMS: bool;
-
+/// The state of a medium in one pair of layouts, and the parts of a step. What surrounds them is compiled once, not in each pair.
+pub(super) trait Medium: Send {
     /// # Errors
     /// If memory is refused.
-    fn new(scene: &Scene, setup: &MpmSetup, particles: &Particles) -> Result<Self, String>;
+    fn new(scene: &Scene, setup: &MpmSetup, particles: &Particles) -> Result<Self, String>
+    where
+        Self: Sized;
+
+    /// Whether [`deform`](Self::deform) does anything.
+    fn deforms(&self) -> bool {
+        false
+    }
 
     /// Empties the grid.
     fn clear(&mut self);

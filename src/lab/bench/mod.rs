@@ -99,7 +99,18 @@ pub(super) fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
         isa: machine::instruction_set(),
         rows: contenders.iter().map(|contender| row(contender, &reference)).collect(),
     };
-    Ok((report, About { verified, agreement, repetitions, steps, time: simulation.time() }))
+    Ok((report, About { verified, agreement, repetitions, steps, time: simulation.time(), left_out: left_out(plan) }))
+}
+
+/// The layouts that do not fit, and why, if all that fit are compared.
+fn left_out(plan: &Plan) -> Vec<(&'static str, &'static str)> {
+    let names = plan.solver.layouts.iter().map(|layout| layout.name);
+    let (fit, unfit): (Vec<_>, Vec<_>) =
+        names.map(|layout| (layout, (plan.solver.unfit)(&plan.scene, layout))).partition(|(_, why)| why.is_none());
+    if !fit.iter().all(|(layout, _)| plan.layouts.contains(layout)) {
+        return Vec::new();
+    }
+    unfit.into_iter().filter_map(|(layout, why)| Some((layout, why?))).collect()
 }
 
 fn row(contender: &Contender, reference: &[[f64; 3]]) -> Row {

@@ -12,6 +12,8 @@ pub(in crate::lab) struct About {
     pub(in crate::lab) repetitions: u64,
     pub(in crate::lab) steps: u64,
     pub(in crate::lab) time: f64,
+    /// The layouts that the scene does not fit, and why, where all others are compared.
+    pub(in crate::lab) left_out: Vec<(&'static str, &'static str)>,
 }
 
 /// Machine and scene, what was checked, and the table.
@@ -59,7 +61,11 @@ pub(super) fn text(report: &Report, about: &About) -> String {
         cells.push(format!("{:.2}", row.ms_per_step / best));
         table.row(cells);
     }
-    text + &table.text()
+    text += &table.text();
+    if !about.left_out.is_empty() {
+        text.push('\n');
+    }
+    about.left_out.iter().fold(text, |text, (layout, why)| text + &format!("left out: {layout}; {why}\n"))
 }
 
 #[cfg(test)]
@@ -83,7 +89,7 @@ mod tests {
 
     #[test]
     fn nodes_are_told_where_there_is_a_grid() {
-        let about = About { verified: 10, agreement: 0.0, repetitions: 2, steps: 20, time: 0.1 };
+        let about = About { verified: 10, agreement: 0.0, repetitions: 2, steps: 20, time: 0.1, left_out: Vec::new() };
         let first = |grid| text(&report(grid), &about).lines().next().unwrap_or_default().to_string();
         assert_eq!(first(vec![]), "net cloth: 1000 particles");
         assert_eq!(first(vec![8, 4]), "net cloth: 1000 particles, 8 x 4 nodes");

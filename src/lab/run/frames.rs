@@ -252,7 +252,5 @@ impl<'a> Frames<'a> {
 fn read(path: &Path) -> Result<Picture, LabError> {
     let fault = |why: String| LabError::machine(format!("picture `{}` cannot be read again: {why}", path.display()));
     let bytes = std::fs::read(path).map_err(|error| fault(error.to_string()))?;
-    let picture = image::load_from_memory(&bytes).map_err(|error| fault(error.to_string()))?.into_rgb8();
-    let (width, height) = (picture.width() as usize, picture.height() as usize);
-    Ok(Picture { width, height, rgb: picture.into_raw() })
+    Picture::of_png(&bytes).map_err(fault)
 }

@@ -130,7 +130,7 @@ pub fn run(plan: &Plan, resumed: Option<&Checkpoint>, progress: Progress, quiet:
     };
     let done = run.done;
     let files = run.frames.finish(&run.reporter)?;
-    let text = run.last_line(done, &files);
+    let text = run.last_line(done, &files) + &bounds(&*simulation);
     let frames = run.frames.count();
     let seconds = began.elapsed().as_secs_f64();
     let time = run.time;
@@ -241,6 +241,16 @@ impl Run<'_> {
         }
         line + "\n"
     }
+}
+
+/// The length of the last step, and what it must not be longer than; nothing where steps do not follow from such bounds.
+fn bounds(simulation: &dyn Simulation) -> String {
+    let bounds = simulation.step_bounds();
+    if bounds.is_empty() || simulation.steps() == 0 {
+        return String::new();
+    }
+    let bounds: Vec<_> = bounds.iter().map(|(what, most)| format!("{most:.2e} for {what}")).collect();
+    format!("the last step took {:.2e} s, of at most {}\n", simulation.dt(), bounds.join(", "))
 }
 
 /// A path as a shell takes it.

@@ -88,10 +88,12 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
     let wraps = launch.wraps();
     let options = launch.options();
     let key = key::key(kernel, number, &launch.plan).map(|key| launch.key(&key));
-    let entry = match &key {
-        Some(_) => quote!(launch_keyed),
-        None if always_fits && launch.plan.targets.is_empty() => quote!(launch_own),
-        None => quote!(launch),
+    let entry = match (&key, always_fits) {
+        (Some(_), true) => quote!(launch_inside_keyed),
+        (Some(_), false) => quote!(launch_keyed),
+        (None, true) if launch.plan.targets.is_empty() => quote!(launch_own),
+        (None, true) => quote!(launch_inside),
+        (None, false) => quote!(launch),
     };
     let key = key.map(|key| quote!(#key,));
     let copies = launch.copies();
@@ -99,7 +101,7 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
     let (hide, settles) = (launch.hide_fields(), launch.settles());
     let targets = launch.targets();
     let any_views = launch.any_views(&|_| true);
-    let rows = if launch.plan.light { quote!(rows) } else { quote!(runs) };
+    let rows = if launch.plan.written_out { quote!(rows) } else { quote!(runs) };
     let body = launch.run(&pieces);
     let far_views =
         launch.far_views.take().into_iter().filter(|&view| launch.plan.views[view].view == View::Accumulate);
@@ -460,7 +462,10 @@ impl Launch<'_> {
                 let views = (0..self.plan.views.len()).map(|number| self.view_name(number));
                 quote!(#run.each_or_all(#halo, #(#views.is_float())&&*, #[inline(always)] |#cell| { #element });)
             }
-            None => quote!(#run.each(#halo, #[inline(always)] |#cell| { #element });),
+            None => {
+                let each = if self.plan.written_out { quote!(each) } else { quote!(each_of_pieces) };
+                quote!(#run.#each(#halo, #[inline(always)] |#cell| { #element });)
+            }
         };
         let each = if self.parallel.reductions.is_empty() {
             each

@@ -282,7 +282,7 @@ fn scatter(
         let __space = ::allotrope::__private::over(__field_points);
         let __fits = true;
         ::allotrope::__private::assert_shared(&mpm);
-        ::allotrope::__private::launch_keyed(
+        ::allotrope::__private::launch_inside_keyed(
             &__space,
             ::allotrope::__private::Options {
                 kernel: "scatter",
@@ -394,7 +394,7 @@ fn scatter(
                                     &__copy1,
                                 );
                             __run
-                                .each(
+                                .each_of_pieces(
                                     [0],
                                     #[inline(always)]
                                     |__cell| {
@@ -654,7 +654,7 @@ fn checked(u: &mut Field<f32, impl ::allotrope::Layout<::allotrope::I>>) {
 /// Whether a kernel's loop over `p` can be sorted by where it accumulates.
 fn has_key(body: &str) -> bool {
     let kernel = "fn k(p: &mut Field<P, _>, g: &mut Field<f32, _, Ij>, q: &Field<i32, _>, m: &M, n: i32)";
-    expansion(&format!("{kernel} {{ {body} }}")).contains("launch_keyed")
+    expansion(&format!("{kernel} {{ {body} }}")).contains("_keyed")
 }
 
 #[test]

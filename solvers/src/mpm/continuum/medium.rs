@@ -41,8 +41,6 @@ pub(in crate::mpm) struct Body<X: Spatial> {
 }
 
 impl<X: Dimensions, C: Carrier<X>, P: Layout<I>, G: Layout<X>> Medium for Continuum<X, C, P, G> {
-    const DEFORMS: bool = true;
-
     fn new(scene: &Scene, setup: &MpmSetup, particles: &Particles) -> Result<Self, String> {
         let fault = |error: allotrope::ShapeError| error.to_string();
         let mpm = Transfers::new(scene, setup);
@@ -84,6 +82,10 @@ impl<X: Dimensions, C: Carrier<X>, P: Layout<I>, G: Layout<X>> Medium for Contin
         C::gather(&mut self.points, &self.grid, &self.mpm);
     }
 
+    fn deforms(&self) -> bool {
+        true
+    }
+
     fn deform(&mut self) {
         C::deform(&mut self.points, &self.materials);
     }
@@ -121,7 +123,10 @@ impl<X: Dimensions, C: Carrier<X>, P: Layout<I>, G: Layout<X>> Medium for Contin
     }
 
     fn members(&self) -> Vec<Array> {
-        let bodies = || self.points.iter().map(|point| C::body(&point, &self.mpm));
+        // What the arrays are made by is then compiled once, not in each layout.
+        let bodies = || -> Box<dyn Iterator<Item = Body<X>> + '_> {
+            Box::new(self.points.iter().map(|point| C::body(&point, &self.mpm)))
+        };
         let mut arrays = vec![
             vectors::<X>("position", bodies().map(|body| body.x)),
             matrices::<X>("stress", bodies().map(|body| body.stress)),

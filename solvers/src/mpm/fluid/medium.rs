@@ -29,8 +29,6 @@ pub(in crate::mpm) struct Fluid<X: Spatial, P: Layout<I>, G: Layout<X>> {
 }
 
 impl<X: Spatial, P: Layout<I>, G: Layout<X>> Medium for Fluid<X, P, G> {
-    const DEFORMS: bool = false;
-
     fn new(scene: &Scene, setup: &MpmSetup, particles: &Particles) -> Result<Self, String> {
         let fault = |error: allotrope::ShapeError| error.to_string();
         let mut points = Field::<Point<X>, P>::try_new([particles.x.len()]).map_err(fault)?;

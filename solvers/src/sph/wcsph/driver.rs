@@ -199,6 +199,11 @@ impl<X: Spatial, P: Layout<I>, S: Search<X>> Simulation for Driver<X, P, S> {
         Some(self.last.force.min(self.last.sound).min(self.last.speed))
     }
 
+    fn step_bounds(&self) -> Vec<(&'static str, f64)> {
+        let TimeStep { force, sound, speed, .. } = self.last;
+        vec![("forces", force), ("sound", sound), ("speed", speed)]
+    }
+
     fn dimensions(&self) -> usize {
         self.scene.dimensions
     }
