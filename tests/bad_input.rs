@@ -43,6 +43,11 @@ const COMMAND_LINES: &[Case] = &[
         "there is no schedule `tiled`; known are `auto`, `serial`, `private`, `colored`, `atomic`",
     ),
     wrong("bench mpm --schedules serail", "there is no schedule `serail`; did you mean `serial`?"),
+    wrong("search mpm --steps 5", "`--steps` makes no sense of a search; `--budget` does"),
+    wrong("search mpm --budget 1e9", "`--budget 1000000000` is longer than a day, 86400 s"),
+    wrong("search springs --intervals 4", "`--intervals` makes no sense: `springs` sorts nothing"),
+    wrong("search mpm --intervals often", "`--intervals often`: a number of steps, 0 for never, or `auto` is wanted"),
+    wrong("run mpm --tuned no/such.toml", "`no/such.toml` cannot be read: No such file or directory (os error 2)"),
     wrong(
         "bench mpm --sweep length",
         "invalid value `length` for `--sweep <AXIS>` [possible values: size, particles-per-cell, threads, order]; `allotrope --help` tells \

@@ -40,7 +40,7 @@ fn disks_collide_as_published() {
         let cells: &[&str] = if coarse { &["grid=30", "dt=4.3e-3"] } else { &[] };
         passes("disks", cells, "aos+row", 13);
         passes("disks", &[cells, &[PIC]].concat(), "soa+soa", 13);
-        passes("disks", &[cells, &FLIP].concat(), "hot+row", 13);
+        passes("disks", &[cells, &FLIP].concat(), "soa+soa", 13);
     }
 }
 
@@ -57,7 +57,7 @@ fn a_disk_keeps_of_its_spin_what_is_published() {
     passes("spinning-disk", &[], "aos+sparse4", 7);
     passes("spinning-disk", &["transfer.scheme=polypic", "transfer.modes=4"], "soa+soa", 7);
     passes("spinning-disk", &[PIC], "soa+soa", 6);
-    passes("spinning-disk", &FLIP, "aosoa16+blocked4", 7);
+    passes("spinning-disk", &FLIP, "aos+sparse4", 7);
 }
 
 #[test]

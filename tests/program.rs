@@ -115,6 +115,37 @@ fn bench_tells_which_layouts_it_leaves_out() {
 }
 
 #[test]
+fn search_finds_what_run_and_bench_take() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, out) = (folder.path().join("tuned.toml"), folder.path().join("out"));
+    let (file, out) = (file.to_str().unwrap(), out.to_str().unwrap());
+    let layouts = ["--layouts", "aos+row,aos+sparse4", "--schedules", "serial,private", "--intervals", "0,8"];
+    let asked =
+        ["search", "mpm", "--particles", "1000", "--grid", "32", "--threads", "2", "--budget", "1", "--out", file];
+    let text = succeeds(&[&asked[..], &layouts].concat());
+    assert!(text.contains("all 8 end in the same state: after "), "{text}");
+    let rows: Vec<&str> = text.lines().filter(|line| line.starts_with("aos+") && line.contains(" to ")).collect();
+    let ranking: Vec<Vec<&str>> =
+        rows.iter().map(|row| row.split_whitespace().collect()).filter(|row: &Vec<_>| row.len() == 9).collect();
+    assert_eq!(ranking.len(), 8, "{text}");
+    // Three rounds: eight, four, two, and what cannot be told from them.
+    let rounds: Vec<usize> = ranking.iter().map(|row| row[3].parse().unwrap()).collect();
+    assert!(rounds.is_sorted_by(|a, b| a >= b) && rounds[..2] == [3, 3] && rounds[7] == 1, "{text}");
+    assert_eq!((ranking[0][5], ranking[0][6]), ("1.000", "1.000"));
+    let line = std::fs::read_to_string(file).unwrap();
+    let [layout, schedule, reorder] = [ranking[0][0], ranking[0][1], ranking[0][2]];
+    let start = format!(
+        "mpm = {{ layout = \"{layout}\", schedule = \"{schedule}\", reorder = \"{reorder}\", scene = \"mpm88\""
+    );
+    assert!(line.starts_with(&start) && text.ends_with(&line), "{line}\n{text}");
+
+    let text = succeeds(&["run", "mpm", "--tuned", file, "--steps", "3", "--frames", "0", "--out", out]);
+    assert!(text.starts_with(&format!("mpm of scene mpm88 in {layout}: ")), "{text}");
+    let text = succeeds(&["bench", "mpm", "--tuned", file, "--particles", "1000", "--steps", "11"]);
+    assert!(text.lines().any(|row| row.split_whitespace().take(2).eq([layout, schedule])), "{text}");
+}
+
+#[test]
 fn run_tells_what_bounds_the_steps() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out");
@@ -564,6 +595,11 @@ fn checks_of_scenes_pass_fail_and_are_missing() {
 fn a_layout_that_makes_no_sense_is_refused_with_the_reason() {
     let message = refused(&["run", "mpm", "--layout", "hot+row"]);
     assert!(message.contains("every member of a fluid's particles is used by both transfers"), "{message}");
+    let flip = ["run", "mpm", "--scene", "disks", "--set", "transfer.scheme=\"flip\"", "--layout", "hot+row"];
+    if !cfg!(feature = "all-layouts") {
+        let message = refused(&flip);
+        assert!(message.contains("build with `--features all-layouts`; those that fit are `aos+row`"), "{message}");
+    }
     let text = succeeds(&["bench", "mpm", "--scene", "disks", "--steps", "22", "--threads", "2"]);
     assert!(text.contains("hot+row") && text.contains("material"), "{text}");
 }

@@ -16,6 +16,7 @@ pub mod peers;
 pub mod render;
 pub mod run;
 pub mod scene;
+pub mod search;
 pub mod signals;
 pub mod statistics;
 pub mod sweep;

@@ -67,6 +67,13 @@ impl Contender {
         Ok((elapsed.saturating_sub(sorted), spent))
     }
 
+    /// Takes some steps; gives their time, sorting included.
+    pub(in crate::lab) fn advance_with_sorts(&mut self, steps: u64) -> Result<Duration, LabError> {
+        let before = self.sorting;
+        let (time, _) = self.advance(steps)?;
+        Ok(time + (self.sorting - before))
+    }
+
     /// Milliseconds of sorting a step.
     pub(in crate::lab) fn sorting(&self) -> f64 {
         self.sorting.as_secs_f64() * 1e3 / self.taken.max(1) as f64
@@ -86,18 +93,23 @@ impl Contender {
 
 /// Checks that all contenders are in the state of the first: the order of additions alone may differ, which leaves
 /// positions within some roundings of the domain's extent. Gives the largest difference.
-pub(in crate::lab) fn verify(contenders: &[Contender], steps: u64) -> Result<f64, LabError> {
-    let reference = contenders[0].simulation.positions();
-    let extent = contenders[0].simulation.extent().into_iter().fold(0.0, f64::max);
+pub(in crate::lab) fn verify<'c>(
+    contenders: impl IntoIterator<Item = &'c Contender>,
+    steps: u64,
+) -> Result<f64, LabError> {
+    let mut contenders = contenders.into_iter();
+    let Some(first) = contenders.next() else { return Ok(0.0) };
+    let reference = first.simulation.positions();
+    let extent = first.simulation.extent().into_iter().fold(0.0, f64::max);
     let bound = 1e-5 * extent;
     let mut largest = 0.0f64;
-    for contender in &contenders[1..] {
+    for contender in contenders {
         let (error, particle) = difference(&reference, &contender.simulation.positions());
         if error.is_nan() || error > bound {
             return Err(LabError::failure(format!(
                 "after {steps} steps {} with schedule {} is in another state than {}: particle {particle} differs by \
                  {error:.3e}, above {bound:.3e}",
-                contender.layout, contender.named.name, contenders[0].layout
+                contender.layout, contender.named.name, first.layout
             )));
         }
         largest = largest.max(error);

@@ -9,6 +9,7 @@ use super::values::words;
 use crate::lab::bench;
 use crate::lab::errors::LabError;
 use crate::lab::machine::NamedSchedule;
+use crate::lab::search::Tuned;
 use crate::lab::sweep::{self, Axis};
 
 /// What is asked of `allotrope bench`.
@@ -24,6 +25,9 @@ pub struct BenchArguments {
     /// How loops accumulate, with commas between: auto, serial, private, colored, atomic
     #[arg(long, value_name = "A,B", default_value = "auto")]
     schedules: String,
+    /// Layout, schedule and sorting as `search` found them
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["layouts", "schedules"])]
+    tuned: Option<PathBuf>,
     /// Writes the results to a file too, as one line of JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -43,8 +47,13 @@ pub struct BenchArguments {
 const OUT: &str = "allotrope-sweep";
 
 impl BenchArguments {
-    pub(super) fn execute(self) -> Result<(), LabError> {
+    pub(super) fn execute(mut self) -> Result<(), LabError> {
         let solver = allotrope_solvers::solver(&self.solver).map_err(LabError::usage)?;
+        if let Some(file) = &self.tuned {
+            let choice = Tuned::load(file, solver.name)?;
+            self.what.tuned(file, &choice)?;
+            (self.layouts, self.schedules) = (choice.layout, choice.schedule);
+        }
         let scene = self.what.scene(solver)?;
         let layouts = if self.layouts.trim() == "all" && self.sweep == Some(Axis::Size) {
             // Which ones fit may depend on the size.

@@ -45,6 +45,16 @@ Examples:
 
 A sweep has its results on the disk after each point: the same command goes on after the last one.";
 
+/// Of `search`.
+pub(super) const SEARCH: &str = "\
+Examples:
+  allotrope search mpm                          # half a minute, the first scene
+  allotrope search mpm --particles 1048576 --grid 1024 --budget 120 --out tuned.toml
+  allotrope run mpm --tuned tuned.toml          # with what was found
+
+All candidates take the same steps in interleaved pieces, and must end in the same state; after each round the slower half is dropped, but for those
+that cannot be told from the better one. Ratios have intervals of 95 %. What is searched is the start of the scene.";
+
 /// Of `convert-cost`.
 pub(super) const CONVERT_COST: &str = "\
 Examples:

@@ -8,6 +8,7 @@ mod map;
 mod run;
 mod scene;
 mod scenes;
+mod search;
 mod values;
 
 use std::ffi::OsString;
@@ -23,6 +24,7 @@ pub use self::convert_cost::ConvertCostArguments;
 pub use self::map::MapArguments;
 pub use self::run::RunArguments;
 pub use self::scene::SceneCommand;
+pub use self::search::SearchArguments;
 use super::errors::LabError;
 use super::{list, machine, output, signals};
 
@@ -45,6 +47,9 @@ enum Command {
     /// Runs a scene in many layouts, checks that they agree, and compares their speed
     #[command(after_help = examples::BENCH)]
     Bench(BenchArguments),
+    /// Finds the best layout, schedule and interval of sorting for a scene
+    #[command(after_help = examples::SEARCH)]
+    Search(SearchArguments),
     /// Tells what it costs to go on in another layout, and after how many steps that pays
     #[command(after_help = examples::CONVERT_COST)]
     ConvertCost(ConvertCostArguments),
@@ -120,6 +125,7 @@ impl Cli {
             Command::List => output::print(&list::text()),
             Command::Run(arguments) => arguments.execute(),
             Command::Bench(arguments) => arguments.execute(),
+            Command::Search(arguments) => arguments.execute(),
             Command::ConvertCost(arguments) => arguments.execute(),
             Command::Compare(command) => command.execute(),
             Command::Map(arguments) => arguments.execute(),

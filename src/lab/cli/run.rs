@@ -13,6 +13,7 @@ use crate::lab::errors::LabError;
 use crate::lab::machine::NamedSchedule;
 use crate::lab::render::Shading;
 use crate::lab::run::{self, Calendar, Export, Outputs, Plan, Progress, check};
+use crate::lab::search::Tuned;
 
 /// The folder for files, if none is asked for.
 const OUT: &str = "allotrope-out";
@@ -53,6 +54,9 @@ pub struct RunArguments {
     /// How loops accumulate: auto, serial, private, colored or atomic [default: auto]
     #[arg(long, value_name = "S")]
     schedule: Option<String>,
+    /// Layout, schedule and sorting as `search` found them, where no option tells otherwise
+    #[arg(long, value_name = "FILE", conflicts_with = "resume")]
+    tuned: Option<PathBuf>,
     /// The same bits for any number of threads, at some cost
     #[arg(long)]
     deterministic: bool,
@@ -121,7 +125,13 @@ fn listed(export: &[Export]) -> String {
 }
 
 impl RunArguments {
-    pub(super) fn execute(self) -> Result<(), LabError> {
+    pub(super) fn execute(mut self) -> Result<(), LabError> {
+        if let Some(file) = &self.tuned {
+            let choice = Tuned::load(file, self.solver.as_deref().unwrap_or_default())?;
+            self.what.tuned(file, &choice)?;
+            self.layout.get_or_insert(choice.layout);
+            self.schedule.get_or_insert(choice.schedule);
+        }
         if self.check {
             return self.check();
         }

@@ -8,6 +8,7 @@ use clap::Args;
 
 use super::values;
 use crate::lab::errors::LabError;
+use crate::lab::search::Choice;
 
 /// More particles than this are sorted by cell unless the command says otherwise: grid and particles no longer fit into
 /// a core's second cache, and a scattered access costs more than the sort does.
@@ -41,6 +42,18 @@ pub(super) struct SceneArguments {
 }
 
 impl SceneArguments {
+    /// Takes over when particles are sorted, where no option tells it.
+    ///
+    /// # Errors
+    /// If the file tells it in no known way.
+    pub(super) fn tuned(&mut self, file: &Path, choice: &Choice) -> Result<(), LabError> {
+        let reorder: Reorder = choice.reorder.parse().map_err(|why| {
+            LabError::usage(format!("`{}`: `reorder = \"{}\"`: {why}", file.display(), choice.reorder))
+        })?;
+        self.reorder.get_or_insert(reorder);
+        Ok(())
+    }
+
     /// The name by which the scene is asked for.
     pub(super) fn name<'a>(&'a self, solver: &SolverInfo) -> &'a str {
         self.scene.as_deref().unwrap_or(solver.scenes[0].name)
