@@ -149,10 +149,10 @@ fn search_finds_what_run_and_bench_take() {
 fn run_tells_what_bounds_the_steps() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out");
-    let text = succeeds(&["run", "wcsph", "--scene", "hydrostatic", "--steps", "3", "--out", out.to_str().unwrap()]);
+    let text = succeeds(&["run", "wcsph", "--scene", "hydrostatic", "--steps", "30", "--out", out.to_str().unwrap()]);
     let line = text.lines().find_map(|line| line.strip_prefix("the last step took ")).expect(&text);
     let numbers: Vec<f64> = line.split([' ', ',']).filter_map(|word| word.parse().ok()).collect();
-    assert!(["forces", "sound", "speed"].iter().all(|what| line.contains(what)) && numbers.len() == 4, "{line}");
+    assert!(["forces", "sound"].iter().all(|what| line.contains(what)) && numbers.len() >= 3, "{line}");
     let least = numbers[1..].iter().copied().fold(f64::INFINITY, f64::min);
     assert!(numbers[0] <= least * 1.005 && numbers[0] > 0.0, "{line}");
 }

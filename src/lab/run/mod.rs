@@ -249,7 +249,12 @@ fn bounds(simulation: &dyn Simulation) -> String {
     if bounds.is_empty() || simulation.steps() == 0 {
         return String::new();
     }
-    let bounds: Vec<_> = bounds.iter().map(|(what, most)| format!("{most:.2e} for {what}")).collect();
+    // What is at rest bounds nothing.
+    let bounds: Vec<_> = bounds
+        .iter()
+        .filter(|(_, most)| most.is_finite())
+        .map(|(what, most)| format!("{most:.2e} for {what}"))
+        .collect();
     format!("the last step took {:.2e} s, of at most {}\n", simulation.dt(), bounds.join(", "))
 }
 
