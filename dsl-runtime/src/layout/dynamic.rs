@@ -77,7 +77,7 @@ unsafe impl<C: Inner<X>, const AXIS: u32, const MOST: usize, const CHUNK: usize,
     };
     const BYTES: usize = C::CELLS * HEAD;
     const SIZES: &'static [usize] = {
-        if const { Self::BLOCKS == 1 } {
+        if Self::BLOCKS == 1 {
             &super::pointer::sizes(C::CELLS * HEAD, &[])
         } else {
             &super::pointer::sizes(C::CELLS * HEAD, &[Self::BLOCKS * SLOT])
@@ -99,7 +99,7 @@ unsafe impl<C: Inner<X>, const AXIS: u32, const MOST: usize, const CHUNK: usize,
     unsafe fn grow(node: *mut u8, block: &Block, store: &Store, depth: usize) -> *mut u8 {
         // SAFETY: as the caller promises.
         let data = &unsafe { Self::at::<X>(node, block) }.data;
-        if const { Self::BLOCKS == 1 } {
+        if Self::BLOCKS == 1 {
             return data.get_or_make(|| store.new_node(0, depth + 1));
         }
         let pointers = data.get_or_make(|| store.new_node(Self::BLOCKS * SLOT, depth + 1));
@@ -163,7 +163,7 @@ unsafe impl<C: Inner<X>, const AXIS: u32, const MOST: usize, const CHUNK: usize,
             let mut kept = 0;
             for chunk in (0..Self::BLOCKS).rev() {
                 // SAFETY: a list of several blocks points to their pointers.
-                let slot = if const { Self::BLOCKS == 1 } { &head.data } else { unsafe { Self::chunk(data, chunk) } };
+                let slot = if Self::BLOCKS == 1 { &head.data } else { unsafe { Self::chunk(data, chunk) } };
                 let start = slot.get();
                 if start.is_null() {
                     continue;

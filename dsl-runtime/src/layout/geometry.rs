@@ -26,7 +26,7 @@ pub struct Geometry {
 impl Geometry {
     /// The geometry of a field of so many elements.
     pub(crate) fn new<L: Layout<X>, X: Axes>(extents: PerAxis) -> Result<Self, ShapeError> {
-        if const { L::BRANCHES > 1 } {
+        if L::BRANCHES > 1 {
             Self::new::<L::Rest, X>(extents)?;
         }
         let (axes, count) = const { order::<X>(L::CHAIN.root) };

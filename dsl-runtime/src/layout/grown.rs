@@ -63,7 +63,7 @@ impl<T: SparseRoot, V: Levels<X>, N: Inner<X>, X: Axes> Layout<X> for Listed<X, 
 }
 
 const fn chain<T: SparseRoot, V: Levels<X>, N: Inner<X>, X: Axes>() -> Chain {
-    let root = if const { T::HASHED } { Root::Hash } else { Root::Grid };
+    let root = if T::HASHED { Root::Hash } else { Root::Grid };
     let tree = Tree { root, span: V::SPAN, list: V::LIST, grain: N::GRAIN };
     Chain { tree: Some(tree), ..Chain::of::<N, X>(T::ORDER) }
 }

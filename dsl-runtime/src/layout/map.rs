@@ -41,7 +41,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         round_up(Self::STREAMS.bytes(L::CHAIN.leaf, Self::STREAMS.align), Self::STREAMS.align);
     /// Bytes of one of the root's cells (constant trees).
     pub(super) const BLOCK_BYTES: usize =
-        if const { Self::FLAT } { 0 } else { L::CHAIN.cells / L::CHAIN.leaf * Self::LEAF_BYTES };
+        if Self::FLAT { 0 } else { L::CHAIN.cells / L::CHAIN.leaf * Self::LEAF_BYTES };
     const FACTS: &'static [Facts; MAX_MEMBERS] = &{
         let nowhere = Streams::NOWHERE;
         let mut facts = [Facts { seat: nowhere, start: 0, stride: 0, component: 0, here: false }; MAX_MEMBERS];
@@ -74,17 +74,18 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
 
     // A function: a constant of its own rest would be evaluated though there is none.
     const fn line() -> usize {
-        let rest = if const { L::BRANCHES > 1 } { Map::<R, L::Rest, X>::line() } else { LINE };
+        let rest = if L::BRANCHES > 1 { Map::<R, L::Rest, X>::line() } else { LINE };
         if Self::RUN_LINE > rest { Self::RUN_LINE } else { rest }
     }
 
     /// How many branches hold a member.
     const fn branches_with(m: usize) -> usize {
-        let rest = if const { L::BRANCHES > 1 } { Map::<R, L::Rest, X>::branches_with(m) } else { 0 };
+        let rest = if L::BRANCHES > 1 { Map::<R, L::Rest, X>::branches_with(m) } else { 0 };
         Self::FACTS[m].here as usize + rest
     }
 
-    /// Whether a member stands in the first branch.
+    /// Whether a member stands in the first branch. Whoever asks for the others if not asks for their number first, in a block of its own: the compiler then
+    /// sees no recursion where there is one branch.
     #[inline(always)]
     pub(super) const fn here(m: usize) -> bool {
         L::BRANCHES == 1 || Self::FACTS[m].here

@@ -52,8 +52,8 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     pub(crate) fn plans(geometry: &Geometry, start: usize, plans: &mut Vec<Plan>) {
         let sparse = L::CHAIN.is_sparse();
         let roots = if sparse { 1 } else { geometry.cells };
-        let node_cells = if const { Self::FLAT } { roots } else { L::CHAIN.leaf };
-        let align = if const { Self::FLAT } { Self::RUN_LINE } else { Self::STREAMS.align };
+        let node_cells = if Self::FLAT { roots } else { L::CHAIN.leaf };
+        let align = if Self::FLAT { Self::RUN_LINE } else { Self::STREAMS.align };
         plans.push(Plan {
             chain: Self::CHAIN,
             streams: Self::STREAMS,
@@ -61,13 +61,13 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
             blocks: geometry.blocks,
             roots,
             start: if sparse { 0 } else { start },
-            node_bytes: if const { Self::FLAT } { Self::STREAMS.bytes(node_cells, align) } else { Self::LEAF_BYTES },
+            node_bytes: if Self::FLAT { Self::STREAMS.bytes(node_cells, align) } else { Self::LEAF_BYTES },
             align,
             node_cells,
             brick: if sparse { (Self::SIZES.brick, Self::SIZES.bits_at) } else { (0, 0) },
             nth: |cell| nth_cell::<X>(L::CHAIN.digits, L::CHAIN.extent, L::CHAIN.cells, cell),
         });
-        if const { L::BRANCHES > 1 } {
+        if L::BRANCHES > 1 {
             Map::<R, L::Rest, X>::plans(&geometry.rest::<L, X>(), start + Self::rest_start(geometry), plans);
         }
     }

@@ -55,3 +55,35 @@ fn what_could_panic_or_be_seen() {
         assert!(!is_arithmetic(body), "{body}");
     }
 }
+
+/// Whether whole runs are written out apart.
+fn is_written_out(body: &str) -> bool {
+    let kernel = format!(
+        "fn k(u: &Field<f32, _, Ij>, v: &mut Field<f32, _, Ij>, m: &M) {{ let mut s = 0; for at in v {{ {body} }} s }}"
+    );
+    let expansion = expand("".parse().unwrap(), kernel.parse().unwrap()).to_string();
+    assert!(!expansion.contains("compile_error"), "{expansion}");
+    let (rows, runs) = (expansion.contains(". rows ("), expansion.contains(". runs ("));
+    assert!(rows != runs && runs == expansion.contains("each_of_pieces"), "{expansion}");
+    rows
+}
+
+#[test]
+fn calls_behind_branches_are_not_written_out() {
+    for body in [
+        "v[at] = m.own(u[at]);",
+        "if m.own(u[at]) > 0.0 { v[at] = u[at].sqrt(); }",
+        "v[at] = if u[at] > 0.0 { f32::from(3u8) } else { u[at].max(1.0) };",
+        "s += u32::from(m.own(u[at]));",
+    ] {
+        assert!(is_written_out(body), "{body}");
+    }
+    for body in [
+        "if u[at] > 0.0 { v[at] = m.own(u[at]); }",
+        "if u[at] > 0.0 { v[at] = 0.0; } else { v[at] += own(u[at]); }",
+        "v[at] = match u[at] > 0.0 { true => m.own(1.0), false => 0.0 };",
+        "if u[at] > 0.0 { s += m.count(u[at]); }",
+    ] {
+        assert!(!is_written_out(body), "{body}");
+    }
+}
