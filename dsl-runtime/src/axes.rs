@@ -85,6 +85,30 @@ axes! {
     Ijkl, 4, Ijk, glam::IVec4, (i32, i32, i32, i32), "Four axes, `i`, `j`, `k` and `l`: volumes of phase space.", |at| glam::IVec4::from_array(at), at.into();
 }
 
+/// Does something for each axis of `$x`, whose number is a constant there: whatever that decides is settled before the optimiser sees it, and there is no
+/// call to inline. For what is written out at every access of a kernel, which closures would make four times as long.
+macro_rules! for_axes {
+    ($x:ty, $axis:ident => $what:expr) => {{
+        {
+            const $axis: usize = 0;
+            $what;
+        }
+        if const { <$x as $crate::axes::Axes>::RANK > 1 } {
+            const $axis: usize = 1;
+            $what;
+        }
+        if const { <$x as $crate::axes::Axes>::RANK > 2 } {
+            const $axis: usize = 2;
+            $what;
+        }
+        if const { <$x as $crate::axes::Axes>::RANK > 3 } {
+            const $axis: usize = 3;
+            $what;
+        }
+    }};
+}
+pub(crate) use for_axes;
+
 /// One value an axis, written out: no loop hides the places from the optimiser.
 #[inline(always)]
 pub(crate) fn per_axis<T>(value: impl Fn(usize) -> T) -> [T; MAX_AXES] {

@@ -21,14 +21,40 @@ pub(crate) fn split<'e>(kernel: &Kernel, repeat: &Unroll, index: &'e Expr) -> Op
     fixed(&sum.left).then_some((&*sum.left, &*sum.right))
 }
 
-/// The lowest and highest value of each part of an unrolled offset.
-pub(crate) fn reach(repeat: &Unroll, offset: &Expr) -> Option<Vec<(i32, i32)>> {
-    let offset = match name_of(offset) {
+/// What an offset is: a name's value, where the body binds it to it once.
+fn value<'e>(repeat: &'e Unroll, offset: &'e Expr) -> Option<&'e Expr> {
+    Some(match name_of(offset) {
         Some(name) if repeat.bound.iter().filter(|bound| *bound == name).count() == 1 => {
             &repeat.offsets.iter().find(|(known, _)| known == name)?.1
         }
         _ => offset,
+    })
+}
+
+/// Whether the unrolled offset takes all values in its box: each part is another variable of the loop, or such a one and a literal.
+pub(crate) fn fills(repeat: &Unroll, offset: &Expr) -> bool {
+    let Some(offset) = value(repeat, offset) else { return false };
+    let mut seen = Vec::new();
+    let mut alone = |part: &Expr| {
+        let name = match bare(part) {
+            Expr::Binary(sum) if integer(&sum.right).is_some() => name_of(&sum.left),
+            Expr::Binary(sum) if integer(&sum.left).is_some() => name_of(&sum.right),
+            _ if integer(part).is_some() => return true,
+            _ => name_of(part),
+        };
+        let is_new = name.is_some_and(|name| !seen.contains(name));
+        seen.extend(name.cloned());
+        is_new
     };
+    match parts(offset) {
+        Some(parts) => parts.into_iter().all(alone),
+        None => alone(offset),
+    }
+}
+
+/// The lowest and highest value of each part of an unrolled offset.
+pub(crate) fn reach(repeat: &Unroll, offset: &Expr) -> Option<Vec<(i32, i32)>> {
+    let offset = value(repeat, offset)?;
     match parts(offset) {
         Some(parts) => parts.into_iter().map(|part| interval(repeat, part)).collect(),
         None => interval(repeat, offset).map(|interval| vec![interval]),

@@ -12,7 +12,7 @@ use crate::record::{Path, Record};
 use crate::store::Store;
 use crate::store::active::ActiveList;
 use crate::store::paths::Paths;
-use crate::view::Corners;
+use crate::view::{Around, Corners};
 
 /// A field's address and geometry, which views copy. What may be done through it is its maker's promise.
 #[doc(hidden)]
@@ -145,31 +145,58 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
         if found.is_null() { store.background } else { found }
     }
 
-    /// Makes `corners` the blocks that follow `first` by none or one along each of up to three axes; for those that lie beyond the field,
-    /// others.
+    /// The set of the blocks that follow `first` by none or one along each of up to three axes; for those that lie beyond the field, the background.
     #[inline(always)]
-    pub(crate) fn around(&self, corners: &L::Corners, first: Block) {
-        // SAFETY: whoever gave the handle paths keeps them alive and on this thread.
-        let grown = if self.paths.is_null() { 0 } else { unsafe { (*self.paths).grown() } };
+    pub(crate) fn around(&self, corners: &L::Corners, first: Block) -> usize {
         // A copy, as in `brick`.
         let this = *self;
-        corners.seek(&first, grown, move || this.find_around(first));
+        corners.seek(&first, move || this.find_around(first))
     }
 
     #[cold]
     #[inline(never)]
-    fn find_around(self, first: Block) -> [*mut u8; 8] {
-        let extent = |a: usize| Map::<R, L, X>::chain(0).extent[a] as u64;
-        let mut blocks = [core::ptr::null_mut(); 8];
-        for (corner, known) in blocks.iter_mut().enumerate().take(const { 1 << X::RANK }) {
-            let next = |a: usize| {
-                let next = u64::from(first[a]) + 1;
-                let there = corner >> a & 1 == 1 && next * extent(a) < u64::from(self.geometry.shape[a]);
-                if there { next as u32 } else { first[a] }
-            };
-            *known = self.brick(0, &per_axis(|a| if a < X::RANK { next(a) } else { 0 }));
+    fn find_around(self, first: Block) -> Around {
+        let store = self.store(0);
+        let mut around = Around { blocks: [store.background; 8], there: 0 };
+        for (corner, known) in around.blocks.iter_mut().enumerate().take(const { 1 << X::RANK }) {
+            let Some(block) = self.beside(first, corner) else { continue };
+            let found = Map::<R, L, X>::find(&self.geometry, store, 0, &block);
+            if !found.is_null() {
+                *known = found;
+                around.there |= 1 << corner;
+            }
         }
-        blocks
+        around
+    }
+
+    /// The block beside another along the axes of a corner; nothing where it lies beyond the field.
+    fn beside(&self, first: Block, corner: usize) -> Option<Block> {
+        let mut block = first;
+        for axis in (0..X::RANK).filter(|axis| corner >> axis & 1 == 1) {
+            block[axis] = first[axis].checked_add(1)?;
+            let begins = u64::from(block[axis]) * Map::<R, L, X>::chain(0).extent[axis] as u64;
+            if begins >= u64::from(self.geometry.shape[axis]) {
+                return None;
+            }
+        }
+        Some(block)
+    }
+
+    /// Makes those blocks around `first` that are missing, a bit each.
+    #[inline(always)]
+    pub(crate) fn grow_around(&self, corners: &L::Corners, set: usize, first: Block, missing: u8) {
+        // Copies, as in `brick`.
+        corners.renew(set, Self::grow_around_cold(*self, first, missing));
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn grow_around_cold(self, first: Block, missing: u8) -> Around {
+        for corner in (0..8).filter(|corner| missing >> corner & 1 == 1) {
+            let block = self.beside(first, corner).expect("a box within the field");
+            self.found_or_grown(0, block);
+        }
+        self.find_around(first)
     }
 
     /// The block of an element of a sparse branch, whose cell becomes active.
@@ -179,6 +206,12 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
         let brick = if core::ptr::eq(brick, self.store(m).background) { self.grow(m, block) } else { brick };
         self.activate_in(m, brick, block, inner);
         brick
+    }
+
+    /// A block, where it is not worth the code to look it up in place; where there is none, the background's.
+    #[inline(never)]
+    pub(crate) fn found(self, m: usize, block: Block) -> *mut u8 {
+        self.brick(m, &block)
     }
 
     /// A block, made where there is none: apart, for whoever has seen that there was none.

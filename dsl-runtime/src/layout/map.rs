@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::node::{Chain, order};
 use super::place::{Seat, Streams, round_up};
 use super::{Geometry, Inner, Layout};
-use crate::axes::{Axes, MAX_AXES, sum};
+use crate::axes::{Axes, MAX_AXES, PerAxis, sum};
 use crate::field::memory::LINE;
 use crate::record::{ElementList, MAX_MEMBERS, Names, Record};
 
@@ -134,6 +134,42 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         let (axes, count) = order::<X>(L::CHAIN.root);
         if count == 0 { 0 } else { axes[count - 1] }
     };
+
+    /// That of a member's branch.
+    pub(crate) const fn fastest(m: usize) -> usize {
+        if const { L::BRANCHES == 1 } || Self::here(m) { Self::FASTEST } else { Map::<R, L::Rest, X>::fastest(m) }
+    }
+
+    /// Bytes between the values of member `m` of neighbours within a block along each axis; 0 where they lie at various distances (constant trees).
+    pub(crate) const fn steps(m: usize) -> PerAxis {
+        let (digits, cells, leaf) = (Self::chain(m).digits, Self::chain(m).cells, Self::chain(m).leaf);
+        let (mut steps, mut levels, mut rest) = ([0; MAX_AXES], [0; MAX_AXES], cells);
+        let mut d = 0;
+        while d < digits.len() && digits[d].order != 0 && leaf > 0 {
+            let (axes, count) = order::<X>(digits[d].order);
+            let mut n = 0;
+            while n < count {
+                let size = digits[d].sizes[axes[n]];
+                rest /= size;
+                if size > 1 {
+                    // Of an innermost node neighbours lie at the member's stride, of others as many bytes apart as the nodes between take.
+                    steps[axes[n]] =
+                        if rest < leaf { rest * Self::stride(m) } else { rest / leaf * Self::leaf_bytes(m) };
+                    levels[axes[n]] += if digits[d].curve { 2 } else { 1 };
+                }
+                n += 1;
+            }
+            d += 1;
+        }
+        let mut axis = 0;
+        while axis < MAX_AXES {
+            if levels[axis] != 1 {
+                steps[axis] = 0;
+            }
+            axis += 1;
+        }
+        steps
+    }
 
     /// The root's cells between neighbours along an axis, in a member's branch.
     #[inline(always)]

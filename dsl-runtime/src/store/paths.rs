@@ -23,12 +23,7 @@ const NOBODY: u32 = u32::MAX;
 #[doc(hidden)]
 pub struct Paths(UnsafeCell<MaybeUninit<Seen>>);
 
-#[derive(Clone, Copy, Debug)]
-struct Seen {
-    blocks: [Found; PLACES],
-    /// One, and one more for each block that the job has made.
-    grown: u32,
-}
+type Seen = [Found; PLACES];
 
 impl core::fmt::Debug for Paths {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
@@ -47,7 +42,7 @@ impl Paths {
     #[inline(always)]
     pub(crate) fn new() -> Self {
         let nothing = Found { block: [0; 4], branch: NOBODY, start: core::ptr::null_mut() };
-        Self(UnsafeCell::new(MaybeUninit::new(Seen { blocks: [nothing; PLACES], grown: 1 })))
+        Self(UnsafeCell::new(MaybeUninit::new([nothing; PLACES])))
     }
 
     /// The place of a block, in which another may stand.
@@ -75,21 +70,11 @@ impl Paths {
     #[inline(always)]
     pub(crate) unsafe fn get(&self, block: &Block, branch: u32, find: impl FnOnce() -> *mut u8) -> *mut u8 {
         // SAFETY: as the caller promises; `find` does not reach this memory.
-        let found = unsafe { &mut self.seen().blocks[Self::place(block, branch)] };
+        let found = unsafe { &mut self.seen()[Self::place(block, branch)] };
         if found.block != *block || found.branch != branch {
             *found = Found { block: *block, branch, start: find() };
         }
         found.start
-    }
-
-    /// Another number after each block that was made.
-    ///
-    /// # Safety
-    /// As for [`get`](Self::get).
-    #[inline(always)]
-    pub(crate) unsafe fn grown(&self) -> u32 {
-        // SAFETY: as the caller promises.
-        unsafe { self.seen().grown }
     }
 
     /// Remembers a block that was made.
@@ -99,8 +84,7 @@ impl Paths {
     #[inline(always)]
     pub(crate) unsafe fn put(&self, block: &Block, branch: u32, start: *mut u8) {
         // SAFETY: as the caller promises.
-        let seen = unsafe { self.seen() };
-        seen.blocks[Self::place(block, branch)] = Found { block: *block, branch, start };
-        seen.grown = seen.grown.wrapping_add(1).max(1);
+        let found = unsafe { &mut self.seen()[Self::place(block, branch)] };
+        *found = Found { block: *block, branch, start };
     }
 }

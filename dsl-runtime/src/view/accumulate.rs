@@ -71,11 +71,11 @@ macro_rules! operations {
         /// Where the sum lies outside of the shape.
         #[inline(always)]
         #[track_caller]
-        pub fn $name_at(&self, base: &Based<'_, L, X>, offset: impl IntoIndex<X>, value: P::Value)
+        pub fn $name_at<const FILLED: bool>(&self, base: &Based<'_, L, X, FILLED>, offset: impl IntoIndex<X>, value: P::Value)
         where
             <P::Value as Element>::Scalar: $bound,
         {
-            self.apply_at::<$operator>(base, offset, value);
+            self.apply_at::<$operator, FILLED>(base, offset, value);
         }
     )*};
 }
@@ -129,9 +129,9 @@ where
 
     #[inline(always)]
     #[track_caller]
-    fn apply_at<O: Operator<<P::Value as Element>::Scalar>>(
+    fn apply_at<O: Operator<<P::Value as Element>::Scalar>, const FILLED: bool>(
         &self,
-        base: &Based<'_, L, X>,
+        base: &Based<'_, L, X, FILLED>,
         offset: impl IntoIndex<X>,
         value: P::Value,
     ) where
@@ -180,7 +180,7 @@ where
     }
 
     #[inline(always)]
-    fn apply<O: Operator<<P::Value as Element>::Scalar>>(&self, at: impl Spot<L, X>, value: P::Value)
+    fn apply<O: Operator<<P::Value as Element>::Scalar>>(&self, at: impl Spot<R, L, X>, value: P::Value)
     where
         <P::Value as Element>::Scalar: Updated,
     {
@@ -252,16 +252,16 @@ where
     /// Where the sum lies outside of the shape.
     #[inline(always)]
     #[track_caller]
-    pub fn part_at<O: Operator<<P::Value as Element>::Scalar>>(
+    pub fn part_at<O: Operator<<P::Value as Element>::Scalar>, const FILLED: bool>(
         &self,
         _: O,
-        base: &Based<'_, L, X>,
+        base: &Based<'_, L, X, FILLED>,
         offset: impl IntoIndex<X>,
         value: P::Value,
     ) where
         <P::Value as Element>::Scalar: Updated,
     {
-        self.apply_at::<Kept<O>>(base, offset, value);
+        self.apply_at::<Kept<O>, FILLED>(base, offset, value);
     }
 
     operations! {
@@ -292,11 +292,11 @@ where
     /// Where the sum lies outside of the shape.
     #[inline(always)]
     #[track_caller]
-    pub fn sub_at(&self, base: &Based<'_, L, X>, offset: impl IntoIndex<X>, value: P::Value)
+    pub fn sub_at<const FILLED: bool>(&self, base: &Based<'_, L, X, FILLED>, offset: impl IntoIndex<X>, value: P::Value)
     where
         <P::Value as Element>::Scalar: Number,
     {
-        self.apply_at::<Sum>(base, offset, negative(value));
+        self.apply_at::<Sum, FILLED>(base, offset, negative(value));
     }
 
     /// `*=`, component by component.
@@ -319,12 +319,12 @@ where
     /// Where the sum lies outside of the shape.
     #[inline(always)]
     #[track_caller]
-    pub fn mul_at<Rhs>(&self, base: &Based<'_, L, X>, offset: impl IntoIndex<X>, by: Rhs)
+    pub fn mul_at<Rhs, const FILLED: bool>(&self, base: &Based<'_, L, X, FILLED>, offset: impl IntoIndex<X>, by: Rhs)
     where
         P::Value: ComponentMul<Rhs>,
         <P::Value as Element>::Scalar: Number,
     {
-        self.apply_at::<Product>(base, offset, P::Value::factor(by));
+        self.apply_at::<Product, FILLED>(base, offset, P::Value::factor(by));
     }
 }
 

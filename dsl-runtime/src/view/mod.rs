@@ -15,6 +15,7 @@ use core::fmt;
 
 pub use accumulate::Accumulate;
 pub use accumulate::negative;
+pub(crate) use base::Around;
 pub use base::{Based, Corners, EightCorners};
 pub use beside::Beside;
 pub(crate) use free::Places;
@@ -369,15 +370,15 @@ impl<R: Record, L: Layout<X>, X: Axes> Reached<'_, R, L, X> {
         L::Corners::default()
     }
 
-    /// The field around `base`, if the job may reach all of `base + low` to `base + high`.
+    /// The field around `base`, if the job may reach all of `base + low` to `base + high`, and with `FILLED` will write there.
     #[inline(always)]
-    pub fn based<'b, const N: usize>(
+    pub fn based<'b, const FILLED: bool, const N: usize>(
         self,
         corners: &'b L::Corners,
         base: impl crate::index::IntoIndex<X>,
         low: [i64; N],
         high: [i64; N],
-    ) -> Option<Based<'b, L, X>> {
+    ) -> Option<Based<'b, L, X, FILLED>> {
         Based::new(&self.handle.geometry, &self.window, corners, base.coordinates(), low, high).map(
             #[inline(always)]
             |based| based.cornered(&self.handle),
@@ -386,13 +387,13 @@ impl<R: Record, L: Layout<X>, X: Axes> Reached<'_, R, L, X> {
 
     /// The same with the same offsets along all axes.
     #[inline(always)]
-    pub fn based_all<'b>(
+    pub fn based_all<'b, const FILLED: bool>(
         self,
         corners: &'b L::Corners,
         base: impl crate::index::IntoIndex<X>,
         low: i64,
         high: i64,
-    ) -> Option<Based<'b, L, X>> {
+    ) -> Option<Based<'b, L, X, FILLED>> {
         let (low, high) = ([low; MAX_AXES], [high; MAX_AXES]);
         Based::around(&self.handle.geometry, &self.window, corners, base.coordinates(), low, high).map(
             #[inline(always)]

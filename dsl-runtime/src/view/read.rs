@@ -118,7 +118,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Read<'a, R, L, X, P> {
     /// Where the sum lies outside of the shape.
     #[inline(always)]
     #[track_caller]
-    pub fn get_at(&self, base: &Based<'_, L, X>, offset: impl IntoIndex<X>) -> P::Value {
+    pub fn get_at<const FILLED: bool>(&self, base: &Based<'_, L, X, FILLED>, offset: impl IntoIndex<X>) -> P::Value {
         let near = self.0.near(base, offset);
         // SAFETY: as in `get`; the base was made from this field.
         unsafe { self.0.read(near) }

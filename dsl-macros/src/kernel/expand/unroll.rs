@@ -4,15 +4,15 @@ use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
-use syn::Expr;
 use syn::spanned::Spanned;
+use syn::{Expr, Stmt};
 
 use super::launch::Launch;
 use super::names::{label, numbered, private};
 use super::rewrite::{Rewrite, Scope};
 use crate::kernel::access::View;
-use crate::kernel::model::{Boundary, Place, Unroll};
-use crate::kernel::offsets::{reach, split};
+use crate::kernel::model::{Action, Boundary, Kernel, Node, Place, Unroll, node_of};
+use crate::kernel::offsets::{fills, reach, split};
 use crate::kernel::syntax::name_of;
 
 /// The tokens of an unrolled loop.
@@ -29,12 +29,13 @@ pub(super) fn unroll(rewrite: &Rewrite<'_>, node: usize, repeat: &Unroll) -> Tok
         let corners = numbered(&format!("corners{node}_"), number);
         launch.corners.borrow_mut().insert(corners.clone(), handle.clone());
         let at = rewrite.expr(&base.base);
+        let filled = !launch.parallel.jumps && base.is_filled(launch.kernel, repeat);
         if repeat.axes.is_some() {
             let (low, high) = (literal(base.low[0], "i64"), literal(base.high[0], "i64"));
-            return quote!(#handle.based_all(&#corners, #at, #low, #high));
+            return quote!(#handle.based_all::<#filled>(&#corners, #at, #low, #high));
         }
         let (low, high) = (array(&base.low), array(&base.high));
-        quote!(#handle.based(&#corners, #at, #low, #high))
+        quote!(#handle.based::<#filled, _>(&#corners, #at, #low, #high))
     });
     let mut based = launch.based.clone();
     for (base, local) in bases.iter().zip(&locals) {
@@ -148,6 +149,27 @@ struct Base {
     high: Vec<i32>,
     /// The accesses, and their offsets.
     accesses: Vec<(usize, Expr)>,
+}
+
+impl Base {
+    /// Whether an access that is a statement of the body accumulates at all offsets of the box: no branch stands before it, and the body is left by no
+    /// jump.
+    fn is_filled(&self, kernel: &Kernel, repeat: &Unroll) -> bool {
+        let statements = repeat.body.stmts.iter().filter_map(|statement| match statement {
+            Stmt::Expr(expr, _) => node_of(expr),
+            _ => None,
+        });
+        let of_box = |offset: &Expr| fills(repeat, offset) && reach(repeat, offset) == Some(self.reach());
+        statements.into_iter().any(|node| {
+            let offset = self.accesses.iter().find(|(access, _)| *access == node).map(|(_, offset)| offset);
+            let Node::Access(access) = &kernel.nodes[node] else { return false };
+            matches!(access.action, Action::Update { .. }) && offset.is_some_and(of_box)
+        })
+    }
+
+    fn reach(&self) -> Vec<(i32, i32)> {
+        self.low.iter().copied().zip(self.high.iter().copied()).collect()
+    }
 }
 
 /// The pairs of a field and a base in an unrolled body.

@@ -406,7 +406,8 @@ fn scatter(
                                             let base = ((*(&__h0)) * (__held_mpm.get()).scale)
                                                 .as_ivec2();
                                             match (
-                                                __target0.based(&__corners1_0, base, [0, 0], [1, 0]),
+                                                __target0
+                                                    .based::<true, _>(&__corners1_0, base, [0, 0], [1, 0]),
                                             ) {
                                                 (::core::option::Option::Some(__b1_0),) => {
                                                     {
