@@ -375,6 +375,7 @@ mod index;
 mod launch;
 pub mod layout;
 mod number;
+pub mod probe;
 mod random;
 mod real;
 mod record;

@@ -8,6 +8,7 @@ use super::storage::Storage;
 use crate::axes::{Axes, MAX_AXES, per_axis, sum};
 use crate::index::{IntoIndex, within};
 use crate::layout::{Block, Geometry, Layout, Map};
+use crate::probe::Region;
 use crate::record::{Path, Record};
 use crate::store::Store;
 use crate::store::active::ActiveList;
@@ -306,6 +307,15 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
             return self.component_in(m, self.touch(m, &block, &inner), &inner);
         }
         self.component(m, at)
+    }
+
+    /// The memory that a member of an element lies in: all of the field's, or its block.
+    pub(crate) fn region(&self, m: usize, at: [u32; MAX_AXES]) -> Region {
+        if Map::<R, L, X>::is_sparse(m) {
+            let start = self.brick(m, &Self::split(m, at).0).addr();
+            return Region { start, bytes: self.store(m).sizes.brick };
+        }
+        Region { start: self.root.addr(), bytes: Map::<R, L, X>::bytes(&self.geometry).unwrap_or(0) }
     }
 
     /// Reads a path at an element.

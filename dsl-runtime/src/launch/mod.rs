@@ -42,6 +42,8 @@ use cpu::Cpu;
 pub struct Options<'a> {
     /// The kernel's name.
     pub kernel: &'static str,
+    /// The loop's number among the kernel's parallel loops.
+    pub number: usize,
     /// Whether the box checks of rows hold.
     pub fits: bool,
     /// Whether an element takes much work: fewer are then worth a thread.
@@ -379,7 +381,10 @@ fn start<S: Space>(space: &S, options: Options<'_>, key: Option<&Key<'_, S>>, ta
         "kernel `{}`: iterations that meet in one element, in a `#[relaxed]` loop or by `fetch_add` and its like, come in no fixed order, which `deterministic` forbids",
         options.kernel
     );
-    let alone = Inside::now() || options.together == Some(false) || (options.ordered && schedule.deterministic);
+    let recording = crate::probe::is_recording();
+    let _launch = recording.then(|| crate::probe::launch(options.kernel, options.number));
+    let alone =
+        recording || Inside::now() || options.together == Some(false) || (options.ordered && schedule.deterministic);
     let threads = if alone { 1 } else { schedule.thread_count() };
     let alone = threads == 1;
     let grain = grain(&schedule, options.heavy);
@@ -399,6 +404,9 @@ fn start<S: Space>(space: &S, options: Options<'_>, key: Option<&Key<'_, S>>, ta
         tasks.expect(bins.jobs());
         let tasks = &*tasks;
         let tile = |tile: usize, shares: &[Share<'_>]| {
+            if recording {
+                crate::probe::block(tile, bins.jobs());
+            }
             tasks.run(tile, cpu, Task { pieces: bins.pieces(tile), shares, ..part(0..0) });
         };
         return bins.execute(plan.threads, options.targets, &tile);
@@ -406,6 +414,9 @@ fn start<S: Space>(space: &S, options: Options<'_>, key: Option<&Key<'_, S>>, ta
     tasks.expect(blocks);
     let tasks = &*tasks;
     let run = |b: usize, shares: &[Share<'_>]| {
+        if recording {
+            crate::probe::block(b, blocks);
+        }
         tasks.run(b, cpu, Task { atomic: plan.atomic, shares, ..part(block(b)) });
     };
     scatter::execute(&plan, options.targets, blocks, &run);

@@ -5,6 +5,7 @@ use core::marker::PhantomData;
 use core::mem::size_of;
 
 use super::lane::{Lane, Spot};
+use super::probed::note;
 use super::{Based, Site};
 use crate::axes::{Axes, MAX_AXES};
 use crate::element::{Element, component};
@@ -14,6 +15,7 @@ use crate::layout::{Geometry, Layout};
 use crate::number::{
     BitAnd, BitOr, BitXor, Bits, ComponentMul, Kept, Max, Min, Number, Operator, Product, Sum, Updated,
 };
+use crate::probe::{Access, Index};
 use crate::record::{Path, Record};
 use crate::scatter::{Late, Share, Window};
 
@@ -185,6 +187,7 @@ where
         <P::Value as Element>::Scalar: Updated,
     {
         let (start, step) = self.lane.address_mut(at);
+        note::<R, L, X, P>(self.lane.handle(), self.lane.site(), || at.place(), Access::Accumulate, Index::Computed);
         if self.atomic {
             Self::apply_atomically::<O>(start, step, value);
             return;

@@ -9,6 +9,7 @@ use crate::field::Handle;
 use crate::index::{within, wrapped};
 use crate::launch::{Cell, TwoColours};
 use crate::layout::{Geometry, Layout};
+use crate::probe::Index;
 use crate::record::{Path, Record};
 
 /// Reads a path at the elements of a loop over one colour of a checkerboard, moved by an offset with an odd sum.
@@ -96,7 +97,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: TwoColours> Beside<'a,
         let at = self.moved(cell);
         let Some(at) = within::<X>(at, self.geometry()) else { self.outside(at) };
         // SAFETY: within the shape, and of the other colour than the loop's, which alone is written.
-        unsafe { self.lane.read(at) }
+        unsafe { self.lane.read(at, Index::Offset) }
     }
 
     /// The value at the offset, or the cell's own where that lies outside: what is nearest, for a step of one along an axis.
@@ -112,7 +113,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: TwoColours> Beside<'a,
             self.outside(own)
         };
         // SAFETY: within the shape; of the other colour, which nobody writes, or this iteration's own.
-        unsafe { self.lane.read(at) }
+        unsafe { self.lane.read(at, Index::Offset) }
     }
 
     /// The value at the offset, modulo the extents.
@@ -127,7 +128,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: TwoColours> Beside<'a,
         let at = self.cell_within(cell);
         let Some(at) = wrapped::<X>(at, self.geometry()) else { self.outside(at) };
         // SAFETY: within the shape; an even number of steps back keeps the colour, so that it is the other than the loop's.
-        unsafe { self.lane.read(at) }
+        unsafe { self.lane.read(at, Index::Offset) }
     }
 
     /// The moved coordinates of a cell that lies within the shape along the axes that are not moved.
@@ -149,7 +150,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: TwoColours> Beside<'a,
     pub fn or(&self, cell: &Cell<'_, S>, value: P::Value) -> P::Value {
         match within::<X>(self.moved(cell), self.geometry()) {
             // SAFETY: as in `get`.
-            Some(at) => unsafe { self.lane.read(at) },
+            Some(at) => unsafe { self.lane.read(at, Index::Offset) },
             None => value,
         }
     }

@@ -3,11 +3,13 @@
 use core::marker::PhantomData;
 
 use super::Site;
+use super::probed::note;
 use crate::axes::{Axes, MAX_AXES};
 use crate::field::Handle;
 use crate::index::{Integer, within};
 use crate::launch::{Cell, Space};
 use crate::layout::{Geometry, Layout};
+use crate::probe::{Access, Index};
 use crate::record::{Path, Record};
 
 /// The `N`th loop variable stands in this place of an index.
@@ -233,6 +235,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> OwnFree<'a, R, L, X, P> {
     #[track_caller]
     pub fn get<S: Space>(&self, cell: &Cell<'_, S>, places: impl Places) -> P::Value {
         let at = self.locate(cell, places);
+        note::<R, L, X, P>(&self.handle, self.site, || at, Access::Read, Index::Own);
         // SAFETY: within the shape; the cell's loop variables make the element this iteration's own.
         unsafe { self.handle.read::<P>(at) }
     }
@@ -246,6 +249,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> OwnFree<'a, R, L, X, P> {
     pub fn set<S: Space>(&self, cell: &Cell<'_, S>, places: impl Places, value: P::Value) {
         let at = self.locate(cell, places);
         // SAFETY: within the shape; the cell's loop variables make the element this iteration's own.
-        unsafe { self.handle.write::<P>(at, value) }
+        unsafe { self.handle.write::<P>(at, value) };
+        note::<R, L, X, P>(&self.handle, self.site, || at, Access::Write, Index::Own);
     }
 }

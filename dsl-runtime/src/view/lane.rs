@@ -2,11 +2,13 @@
 
 use core::marker::PhantomData;
 
+use super::probed::note;
 use super::{Based, Site};
 use crate::axes::{Axes, MAX_AXES, PerAxis, for_axes};
 use crate::field::Handle;
 use crate::index::IntoIndex;
 use crate::layout::{Block, Geometry, Layout, Map};
+use crate::probe::{Access, Index};
 use crate::record::{Path, Record};
 
 /// Where the values of a path lie, by index.
@@ -374,12 +376,13 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Lane<'a, R, L, X, P> {
         }
     }
 
-    /// Reads the path at an element.
+    /// Reads the path at an element, which the kernel has found by such an index.
     ///
     /// # Safety
     /// The element lies within the shape, and nobody writes the path there meanwhile.
     #[inline(always)]
-    pub(super) unsafe fn read(&self, spot: impl Spot<R, L, X>) -> P::Value {
+    pub(super) unsafe fn read(&self, spot: impl Spot<R, L, X>, index: Index) -> P::Value {
+        note::<R, L, X, P>(&self.handle, self.site, || spot.place(), Access::Read, index);
         if const { P::MEMBER.is_none() } {
             // SAFETY: as the caller promises.
             return unsafe { self.handle.read::<P>(spot.place()) };

@@ -5,6 +5,7 @@ mod base;
 mod beside;
 mod free;
 mod lane;
+mod probed;
 mod read;
 mod readable;
 mod row;

@@ -7,6 +7,7 @@ use crate::field::Handle;
 use crate::index::IntoIndex;
 use crate::launch::{Cell, Space};
 use crate::layout::{Layout, ListLayout};
+use crate::probe::Index;
 use crate::record::{Path, Record};
 
 /// Reads a path of a field at any index. Nothing in the loop writes it.
@@ -48,7 +49,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Read<'a, R, L, X, P> {
     pub fn get(&self, index: impl IntoIndex<X>) -> P::Value {
         let at = self.0.locate(index);
         // SAFETY: `at` lies within the shape, and the launch holds the field's borrow under which nothing writes this path.
-        unsafe { self.0.read(at) }
+        unsafe { self.0.read(at, Index::Computed) }
     }
 
     /// The value where the loop's variables stand in an index.
@@ -60,7 +61,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Read<'a, R, L, X, P> {
     pub fn get_in<S: Space>(&self, cell: &Cell<'_, S>, places: impl Places) -> P::Value {
         let at = super::free::locate::<S, X, _>(cell, places, &self.0.handle().geometry, self.0.site());
         // SAFETY: as in `get`: what `locate` returns lies within the shape.
-        unsafe { self.0.read(at) }
+        unsafe { self.0.read(at, Index::Computed) }
     }
 
     /// The value of the element nearest to an index.
@@ -72,7 +73,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Read<'a, R, L, X, P> {
     pub fn clamped(&self, index: impl IntoIndex<X>) -> P::Value {
         let at = self.0.locate_by(index, crate::index::clamped::<X>);
         // SAFETY: as in `get`: what `clamped` returns lies within the shape.
-        unsafe { self.0.read(at) }
+        unsafe { self.0.read(at, Index::Computed) }
     }
 
     /// The value at an index modulo the extents.
@@ -84,7 +85,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Read<'a, R, L, X, P> {
     pub fn wrapped(&self, index: impl IntoIndex<X>) -> P::Value {
         let at = self.0.locate_by(index, crate::index::wrapped::<X>);
         // SAFETY: as in `get`: what `wrapped` returns lies within the shape.
-        unsafe { self.0.read(at) }
+        unsafe { self.0.read(at, Index::Computed) }
     }
 
     /// The value at an index, or `value` where it lies outside of the shape.
@@ -92,7 +93,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Read<'a, R, L, X, P> {
     pub fn or(&self, index: impl IntoIndex<X>, value: P::Value) -> P::Value {
         match self.0.inside(index) {
             // SAFETY: as in `get`: what `inside` returns lies within the shape.
-            Some(at) => unsafe { self.0.read(at) },
+            Some(at) => unsafe { self.0.read(at, Index::Computed) },
             None => value,
         }
     }
@@ -121,6 +122,6 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Read<'a, R, L, X, P> {
     pub fn get_at<const FILLED: bool>(&self, base: &Based<'_, L, X, FILLED>, offset: impl IntoIndex<X>) -> P::Value {
         let near = self.0.near(base, offset);
         // SAFETY: as in `get`; the base was made from this field.
-        unsafe { self.0.read(near) }
+        unsafe { self.0.read(near, Index::Computed) }
     }
 }

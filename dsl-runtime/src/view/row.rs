@@ -5,12 +5,14 @@ use core::marker::PhantomData;
 use core::mem::MaybeUninit;
 
 use super::Site;
+use super::probed::note;
 use crate::axes::{Axes, MAX_AXES, per_axis, sum};
 use crate::element::Kind as ScalarKind;
 use crate::field::Handle;
 use crate::index::inside;
 use crate::launch::{Cell as RunCell, Run, Space, any_in_blocks, copies_rows, is_in_blocks, prefetch, stay_scalar};
 use crate::layout::{Block, Chain, Geometry, Layout, Map};
+use crate::probe::{Access, Index};
 use crate::record::{ElementList, Path, Record};
 
 /// The longest run whose writes are held back, and whose values are copied.
@@ -406,6 +408,15 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
         place
     }
 
+    /// Tells a recording of an access that the kernel makes at a cell.
+    #[inline(always)]
+    fn note(&self, cell: &RunCell<'_, S>, access: Access) {
+        let index = if self.offset == [0; MAX_AXES] { Index::Own } else { Index::Offset };
+        if cell.chosen {
+            note::<R, L, X, P>(&self.handle, self.site, || self.checked(cell), access, index);
+        }
+    }
+
     #[inline(always)]
     #[track_caller]
     fn get(&self, cell: &RunCell<'_, S>) -> P::Value {
@@ -500,6 +511,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> R
     #[inline(always)]
     #[track_caller]
     pub fn get(&self, cell: &RunCell<'_, S>) -> P::Value {
+        self.line.note(cell, Access::Read);
         if const { Line::<'static, R, L, X, P, S, H>::COPIED } && self.line.is_copied() {
             // SAFETY: `new` has copied the values of the run, of which the cell is.
             return P::Value::from_elements(unsafe { self.copy.take(cell.k + AHEAD as usize) });
@@ -538,6 +550,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Own<'
     #[inline(always)]
     #[track_caller]
     pub fn get(&self, cell: &RunCell<'_, S>) -> P::Value {
+        self.0.note(cell, Access::Read);
         self.0.get(cell)
     }
 
@@ -552,6 +565,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Own<'
         // SAFETY: the cell is a run's element, which one thread visits once, and the macro gives a path that is written
         // no other view; nobody else touches those of the run that are not the loop's, which keep their values.
         unsafe { self.0.set(cell, value) };
+        self.0.note(cell, Access::Write);
     }
 }
 
@@ -646,6 +660,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> H
     #[inline(always)]
     #[track_caller]
     pub fn get(&self, cell: &RunCell<'_, S>) -> P::Value {
+        self.line.note(cell, Access::Read);
         if const { Self::HOLDS } && self.holds(cell.run) {
             // SAFETY: `new` has put all values of a whole run.
             return P::Value::from_elements(unsafe { self.buffer.take(cell.slot) });
@@ -660,6 +675,7 @@ impl<'a, 'b, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> H
     #[inline(always)]
     #[track_caller]
     pub fn set(&self, cell: &RunCell<'_, S>, value: P::Value) {
+        self.line.note(cell, Access::Write);
         if const { Self::HOLDS } && self.holds(cell.run) {
             self.buffer.put(cell.slot, value.into_elements());
             return;

@@ -7,11 +7,13 @@ use core::sync::atomic::{AtomicU8, AtomicU16, AtomicU32, AtomicU64, Ordering::Re
 
 use super::Site;
 use super::lane::Lane;
+use super::probed::note;
 use crate::axes::{Axes, MAX_AXES};
 use crate::exchange::{Count, Exchange};
 use crate::field::Handle;
 use crate::index::IntoIndex;
 use crate::layout::Layout;
+use crate::probe::{Access, Index};
 use crate::record::{ElementList, Path, Record};
 
 /// Reads and changes a path of a field at any index, whatever other iterations do there: each component by one relaxed atomic
@@ -39,6 +41,7 @@ macro_rules! operations {
             P::Value: $bound,
         {
             let at = self.lane.locate(index);
+            self.note(at, Access::Accumulate);
             if self.alone {
                 // SAFETY: `at` lies within the shape, and this thread alone touches the field.
                 return unsafe { self.change(at, |value| crate::exchange::$name(value, by)) };
@@ -138,6 +141,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Together<'a, R, L, X, P> 
         P::Value: Exchange,
     {
         let at = self.lane.locate(index);
+        self.note(at, Access::Accumulate);
         if self.alone {
             // SAFETY: `at` lies within the shape, and this thread alone touches the field.
             return unsafe { self.change(at, |value| crate::exchange::compare_exchange(value, current, new)) };
@@ -171,8 +175,15 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Together<'a, R, L, X, P> 
         start.cast()
     }
 
+    /// Tells a recording of an access.
+    #[inline(always)]
+    fn note(&self, at: [u32; MAX_AXES], access: Access) {
+        note::<R, L, X, P>(self.lane.handle(), self.lane.site(), || at, access, Index::Computed);
+    }
+
     #[inline(always)]
     fn read(&self, at: [u32; MAX_AXES]) -> P::Value {
+        self.note(at, Access::Read);
         let handle = self.lane.handle();
         if self.alone {
             // SAFETY: `at` lies within the shape, and this thread alone touches the field.
@@ -197,6 +208,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>> Together<'a, R, L, X, P> 
     /// Puts a value; with `read`, those components that differ from it.
     #[inline(always)]
     fn write(&self, at: [u32; MAX_AXES], read: Option<P::Value>, value: P::Value) {
+        self.note(at, Access::Write);
         let handle = self.lane.handle();
         if self.alone {
             // SAFETY: `at` lies within the shape, and this thread alone touches the field.

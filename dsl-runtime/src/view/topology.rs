@@ -1,11 +1,13 @@
 //! What a loop asks of a field's activity, and does to it.
 
+use super::probed::note;
 use super::{Site, View};
 use crate::axes::{Axes, MAX_AXES};
 use crate::field::Entries;
 use crate::index::IntoIndex;
 use crate::layout::{Layout, ListLayout, Map};
-use crate::record::{ElementList, Path, Record};
+use crate::probe::{Access, Index};
+use crate::record::{ElementList, Path, Record, Whole};
 
 impl<R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'_, R, L, X, WRITE> {
     #[inline(always)]
@@ -117,7 +119,15 @@ impl<R: Record, L: ListLayout<X>, X: Axes> View<'_, R, L, X, true> {
     pub fn append(&self, index: impl IntoIndex<X::Outer>, record: R) -> usize {
         let (at, logical) = self.list(index);
         let Some(position) = self.handle.append_at(at, record) else { self.full(logical) };
+        self.note_entry(at, position);
         position
+    }
+
+    /// Tells a recording of an entry that was appended.
+    #[inline(always)]
+    fn note_entry(&self, mut list: [u32; MAX_AXES], position: usize) {
+        list[X::RANK - 1] = position as u32;
+        note::<R, L, X, Whole>(&self.handle, self.site, || list, Access::Write, Index::Computed);
     }
 
     /// Puts a record behind the last of a list, and returns its position there; `None` where the list is full.
@@ -127,7 +137,10 @@ impl<R: Record, L: ListLayout<X>, X: Axes> View<'_, R, L, X, true> {
     #[inline(always)]
     #[track_caller]
     pub fn try_append(&self, index: impl IntoIndex<X::Outer>, record: R) -> Option<usize> {
-        self.handle.append_at(self.list(index).0, record)
+        let at = self.list(index).0;
+        let position = self.handle.append_at(at, record)?;
+        self.note_entry(at, position);
+        Some(position)
     }
 
     /// Takes an entry out of its list when the loop ends.

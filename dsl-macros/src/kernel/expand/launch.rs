@@ -86,7 +86,7 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
     let hold_traits = (!hold.is_empty()).then(|| quote!(use #private::{Hold as _, Lend as _};));
     let space_trait = (!always_fits).then(|| quote!(use #private::Space as _;));
     let wraps = launch.wraps();
-    let options = launch.options();
+    let options = launch.options(number);
     let key = key::key(kernel, number, &launch.plan).map(|key| launch.key(&key));
     let entry = match (&key, always_fits) {
         (Some(_), true) => quote!(launch_inside_keyed),
@@ -305,7 +305,7 @@ impl Launch<'_> {
         quote!([#(#offset),*])
     }
 
-    fn options(&self) -> TokenStream {
+    fn options(&self, number: usize) -> TokenStream {
         let private = private();
         let kernel = plain(&self.kernel.function.sig.ident);
         let (fits, heavy) = (hidden("fits"), !self.plan.light);
@@ -335,7 +335,7 @@ impl Launch<'_> {
         let ordered = self.parallel.topology.iter().any(|topology| topology.call == Call::Append);
         quote! {
             #private::Options {
-                kernel: #kernel, fits: #fits, heavy: #heavy, scatter: #scatter, targets: &[#(#targets),*], together: #together, ordered: #ordered
+                kernel: #kernel, number: #number, fits: #fits, heavy: #heavy, scatter: #scatter, targets: &[#(#targets),*], together: #together, ordered: #ordered
             }
         }
     }

@@ -37,6 +37,7 @@ fn saxpy(
             &__space,
             ::allotrope::__private::Options {
                 kernel: "saxpy",
+                number: 0usize,
                 fits: __fits,
                 heavy: false,
                 scatter: ::core::option::Option::None,
@@ -150,6 +151,7 @@ fn smooth(
             &__space,
             ::allotrope::__private::Options {
                 kernel: "smooth",
+                number: 0usize,
                 fits: __fits,
                 heavy: false,
                 scatter: ::core::option::Option::None,
@@ -286,6 +288,7 @@ fn scatter(
             &__space,
             ::allotrope::__private::Options {
                 kernel: "scatter",
+                number: 0usize,
                 fits: __fits,
                 heavy: true,
                 scatter: ::core::option::Option::None,
@@ -597,6 +600,7 @@ fn checked(u: &mut Field<f32, impl ::allotrope::Layout<::allotrope::I>>) {
                 &__space,
                 ::allotrope::__private::Options {
                     kernel: "checked",
+                    number: 0usize,
                     fits: __fits,
                     heavy: false,
                     scatter: ::core::option::Option::None,
