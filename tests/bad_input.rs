@@ -90,6 +90,12 @@ const COMMAND_LINES: &[Case] = &[
         "convert-cost mpm aos+row soa+soa --schedule serail",
         "there is no schedule `serail`; did you mean `serial`?",
     ),
+    wrong("count mpm --layouts ,", "`--layouts` wants at least one name"),
+    wrong("count mpm --threads 2", "accesses are counted on one thread, so that their order is always the same"),
+    wrong(
+        "count mpm --first-level 32",
+        "invalid value `32` for `--first-level <KIB,WAYS>`: KiB and ways are wanted, with a comma between them: `32,8`",
+    ),
     wrong("compare taichi --workloads jacoby", "there is no workload `jacoby`; did you mean `jacobi`?"),
     wrong("compare taichi --workloads ,", "`--workloads` wants at least one name"),
     wrong("compare taichi --pairs 4", "invalid value `4` for `--pairs <N>`: 4 is not in 5..=1000"),

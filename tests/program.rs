@@ -5,6 +5,7 @@ use std::process::{Command, Output};
 
 use allotrope_lab::lab::bench::Report;
 use allotrope_lab::lab::convert_cost;
+use allotrope_lab::lab::counts;
 use allotrope_lab::lab::peers::Report as Comparison;
 
 fn allotrope(arguments: &[&str]) -> Output {
@@ -349,6 +350,53 @@ fn a_change_of_layouts_tells_what_it_costs_and_when_it_pays() {
         assert!(early <= steps && steps <= late, "{report:?}");
         assert!((steps as f64 - change.ms / change.gain_ms).abs() <= 1.0 + 1e-3 * steps as f64, "{report:?}");
     }
+}
+
+#[test]
+fn counts_are_those_of_the_kernels_in_every_layout() {
+    let folder = tempfile::tempdir().unwrap();
+    let (json, heat) = (folder.path().join("counts.json"), folder.path().join("heat"));
+    let places = ["--json", json.to_str().unwrap(), "--out", heat.to_str().unwrap()];
+    let size = ["--particles", "2000", "--grid", "48", "--layouts", "aos+row,soa+soa,aos+sparse4"];
+    if !allotrope::probe::AVAILABLE {
+        assert!(refused(&["count", "mpm"]).contains("`cargo run --release --features probe -- count ..`"));
+        return;
+    }
+    let text = succeeds(&[&["count", "mpm"][..], &size, &places].concat());
+    assert!(text.starts_with("mpm mpm88: what one step from the start of the scene touch, on one thread\n"), "{text}");
+    let report: counts::Report = serde_json::from_str(&std::fs::read_to_string(&json).unwrap()).unwrap();
+    let named = |layout: &counts::Layout, kernel: &str| {
+        layout.loops.iter().find(|row| row.kernel == kernel).unwrap_or_else(|| panic!("{kernel} in {layout:?}")).clone()
+    };
+    let of = |row: &counts::Loop, member: &str, access: &str| -> u64 {
+        row.members.iter().filter(|m| m.member == member && m.access == access).map(|m| m.count).sum()
+    };
+    for layout in &report.layouts {
+        // Nine nodes a particle, whatever the layout.
+        let (scatter, gather) = (named(layout, "particle_to_grid"), named(layout, "grid_to_particle"));
+        for (member, access, times) in
+            [("v", "accumulate", 9), ("m", "accumulate", 9), ("x", "read", 1), ("c", "read", 1)]
+        {
+            assert_eq!(of(&scatter, member, access), times * 2000, "{member} in {}", layout.layout);
+        }
+        assert_eq!((of(&gather, "v", "read"), of(&gather, "c", "write")), (9 * 2000, 2000), "{}", layout.layout);
+    }
+    let [rows, split, sparse] = report.layouts.as_slice() else { panic!("three layouts") };
+    // A dense grid is emptied as a whole; of a sparse one there are but the blocks around particles.
+    assert_eq!(of(&named(rows, "clear"), "m", "write"), 48 * 48);
+    assert!(of(&named(sparse, "update_grid"), "m", "read") < 48 * 48);
+    // `update_grid` reads and writes all of a node: of use is all of a line in both; `x` and `v` alone are in rows of their own in the second.
+    let useful = |layout: &counts::Layout| {
+        let row = named(layout, "particle_to_grid");
+        row.members.iter().find(|m| m.member == "x").unwrap().useful_bytes_a_line()
+    };
+    assert!(useful(split) > 60.0 && useful(rows) < 20.0, "{} and {}", useful(split), useful(rows));
+    let pictures = names(&heat);
+    assert!(pictures.contains(&"heat-aos+row-grid.png".into()) && pictures.len() == 6, "{pictures:?}");
+    let again = succeeds(&[&["count", "mpm"][..], &size].concat());
+    assert_eq!(again, text, "the same numbers each time");
+    let detail = succeeds(&["count", "springs", "--steps", "2"].map(|word| word));
+    assert!(detail.starts_with("springs ") && detail.contains("what 2 steps"), "{detail}");
 }
 
 #[test]

@@ -6,6 +6,7 @@ pub mod checkpoint;
 pub mod cli;
 pub mod compare;
 pub mod convert_cost;
+pub mod counts;
 pub mod errors;
 pub mod export;
 pub mod list;

@@ -58,11 +58,8 @@ impl BenchArguments {
         let layouts = if self.layouts.trim() == "all" && self.sweep == Some(Axis::Size) {
             // Which ones fit may depend on the size.
             solver.layouts.iter().map(|layout| layout.name).collect()
-        } else if self.layouts.trim() == "all" {
-            scenes::fit(solver, &scene)
         } else {
-            let named = words(&self.layouts).into_iter().map(|name| scenes::fitting(solver, &scene, Some(name)));
-            named.collect::<Result<_, _>>()?
+            scenes::asked(solver, &scene, &self.layouts)?
         };
         let schedules: Result<Vec<_>, _> = words(&self.schedules).into_iter().map(NamedSchedule::find).collect();
         let schedules = schedules.map_err(LabError::usage)?;

@@ -55,6 +55,16 @@ Examples:
 All candidates take the same steps in interleaved pieces, and must end in the same state; after each round the slower half is dropped, but for those
 that cannot be told from the better one. Ratios have intervals of 95 %. What is searched is the start of the scene.";
 
+/// Of `count`.
+pub(super) const COUNT: &str = "\
+Examples:
+  allotrope count mpm                           # one step of the first scene, the layouts side by side
+  allotrope count mpm --layouts aos+row --steps 4 --out heat
+  allotrope count mpm --first-level 48,12 --second-level 1024,16 --json counts.json
+
+Needs a program that was built with `--features probe`, or with debug assertions: others have nothing that counts.
+Loops run on one thread; numbers are the same on every machine. What stands outside of parallel loops is not counted.";
+
 /// Of `convert-cost`.
 pub(super) const CONVERT_COST: &str = "\
 Examples:

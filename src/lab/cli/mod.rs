@@ -3,6 +3,7 @@
 mod bench;
 mod compare;
 mod convert_cost;
+mod counts;
 mod examples;
 mod map;
 mod run;
@@ -21,6 +22,7 @@ use clap_complete::Shell;
 pub use self::bench::BenchArguments;
 pub use self::compare::CompareCommand;
 pub use self::convert_cost::ConvertCostArguments;
+pub use self::counts::CountArguments;
 pub use self::map::MapArguments;
 pub use self::run::RunArguments;
 pub use self::scene::SceneCommand;
@@ -53,6 +55,9 @@ enum Command {
     /// Tells what it costs to go on in another layout, and after how many steps that pays
     #[command(after_help = examples::CONVERT_COST)]
     ConvertCost(ConvertCostArguments),
+    /// Counts what a step touches in each layout: accesses, cache lines, misses of modelled caches
+    #[command(after_help = examples::COUNT)]
+    Count(CountArguments),
     /// Compares our workloads with other systems'
     #[command(subcommand, after_help = examples::COMPARE)]
     Compare(CompareCommand),
@@ -127,6 +132,7 @@ impl Cli {
             Command::Bench(arguments) => arguments.execute(),
             Command::Search(arguments) => arguments.execute(),
             Command::ConvertCost(arguments) => arguments.execute(),
+            Command::Count(arguments) => arguments.execute(),
             Command::Compare(command) => command.execute(),
             Command::Map(arguments) => arguments.execute(),
             Command::Scene(command) => command.execute(),

@@ -144,6 +144,14 @@ pub(super) fn fitting(
     }
 }
 
+/// The layouts of a list with commas, which must fit the scene; `all` are those that do.
+pub(super) fn asked(solver: &'static SolverInfo, scene: &Scene, list: &str) -> Result<Vec<&'static str>, LabError> {
+    if list.trim() == "all" {
+        return Ok(fit(solver, scene));
+    }
+    values::words(list).into_iter().map(|name| fitting(solver, scene, Some(name))).collect()
+}
+
 /// The layouts that fit a scene.
 pub(super) fn fit(solver: &'static SolverInfo, scene: &Scene) -> Vec<&'static str> {
     let names = solver.layouts.iter().map(|layout| layout.name);

@@ -1,6 +1,7 @@
 //! Values of options, and lists of them.
 
 use allotrope::MAX_THREADS;
+use allotrope::probe::Cache;
 
 /// A number above zero.
 pub(super) fn count(text: &str) -> Result<usize, String> {
@@ -41,6 +42,13 @@ pub(super) fn positive(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A cache: its KiB, and the lines of a set.
+pub(super) fn cache(text: &str) -> Result<Cache, String> {
+    let (kib, ways) = text.split_once(',').ok_or("KiB and ways are wanted, with a comma between them: `32,8`")?;
+    let bytes = count(kib.trim())?.checked_mul(1 << 10).ok_or("a cache of so many KiB cannot be")?;
+    Ok(Cache { bytes, ways: count(ways.trim())? })
+}
+
 /// Extents, with commas between them: one to four.
 pub(super) fn shape(text: &str) -> Result<std::sync::Arc<[usize]>, String> {
     let wanted = "one to four numbers with commas between them are wanted, `64,48` say";
@@ -76,6 +84,8 @@ mod tests {
         assert_eq!(steps("0"), Err("it must be at least 1".into()));
         assert!(count("0").is_err() && count("-1").is_err() && threads("100000").is_err());
         assert_eq!(finite("-2.5"), Ok(-2.5));
+        assert_eq!(cache("48,12"), Ok(Cache { bytes: 48 << 10, ways: 12 }));
+        assert!(cache("48").is_err() && cache("0,8").is_err() && cache("32,x").is_err());
         assert_eq!(shape("64, 48").as_deref(), Ok(&[64, 48][..]));
         assert!(shape("").is_err() && shape("8,").is_err() && shape("1,2,3,4,5").is_err() && shape("-1").is_err());
         assert!(positive("0").is_err() && positive("1.5").is_ok());
