@@ -3,6 +3,8 @@
 use std::fmt;
 use std::time::Duration;
 
+use allotrope::MemoryMap;
+
 use crate::state::{Array, Energy, State};
 
 /// A simulation in some layout, advanced a step at a time. Schedules are given from outside: `schedule.run(||
@@ -71,6 +73,11 @@ pub trait Simulation: Send {
 
     /// Bytes of all fields.
     fn bytes(&self) -> usize;
+
+    /// Where in memory the records of its fields lie, those whose layout was chosen, each by the field's name; empty, where that cannot be told.
+    fn memory_maps(&self) -> Vec<(&'static str, MemoryMap<'_>)> {
+        Vec::new()
+    }
 
     /// Positions in metres, in the order in which the particles were given, whatever order they lie in now.
     fn positions(&self) -> Vec<[f64; 3]>;

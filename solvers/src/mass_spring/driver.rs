@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use allotrope::MemoryMap;
 use allotrope::prelude::*;
 
 use super::connectivity::Connectivity;
@@ -95,6 +96,10 @@ impl<M: Layout<I>, C: Connectivity<M>> Simulation for Driver<M, C> {
 
     fn bytes(&self) -> usize {
         self.system.bytes()
+    }
+
+    fn memory_maps(&self) -> Vec<(&'static str, MemoryMap<'_>)> {
+        self.system.memory_maps()
     }
 
     fn positions(&self) -> Vec<[f64; 3]> {

@@ -2,6 +2,7 @@
 
 use std::time::{Duration, Instant};
 
+use allotrope::MemoryMap;
 use allotrope::prelude::*;
 
 use super::connectivity::Connectivity;
@@ -292,6 +293,11 @@ impl<M: Layout<I>, C: Connectivity<M>> MassSpring<M, C> {
     /// Bytes of all fields.
     pub fn bytes(&self) -> usize {
         self.masses.bytes() + self.connectivity.bytes() + self.work.bytes()
+    }
+
+    /// Where the records of masses and of what joins them lie.
+    pub fn memory_maps(&self) -> Vec<(&'static str, MemoryMap<'_>)> {
+        vec![("masses", self.masses.memory_map()), self.connectivity.memory_map()]
     }
 }
 

@@ -2,6 +2,8 @@
 
 use std::time::{Duration, Instant};
 
+use allotrope::MemoryMap;
+
 use super::medium::{Medium, Particle};
 use super::order::Order;
 use super::setup::{MpmSetup, Spline};
@@ -185,6 +187,11 @@ impl Simulation for Driver {
 
     fn bytes(&self) -> usize {
         self.medium.bytes()
+    }
+
+    fn memory_maps(&self) -> Vec<(&'static str, MemoryMap<'_>)> {
+        let [particles, grid] = self.medium.memory_maps();
+        vec![("particles", particles), ("grid", grid)]
     }
 
     fn positions(&self) -> Vec<[f64; 3]> {

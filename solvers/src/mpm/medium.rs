@@ -1,7 +1,7 @@
 //! What the driver asks of a medium in some dimensions and layouts.
 
-use allotrope::Permutation;
 use allotrope::prelude::*;
+use allotrope::{MemoryMap, Permutation};
 
 use super::MpmSetup;
 use crate::scene::{Particles, Scene};
@@ -69,6 +69,9 @@ pub(super) trait Medium: Send {
 
     /// Bytes of all fields.
     fn bytes(&self) -> usize;
+
+    /// Where the records of particles and of nodes lie.
+    fn memory_maps(&self) -> [MemoryMap<'_>; 2];
 }
 
 /// A particle, whatever its dimensions and layout.

@@ -1,5 +1,6 @@
 //! One list of all springs.
 
+use allotrope::MemoryMap;
 use allotrope::prelude::*;
 
 use super::{Connectivity, Vectors};
@@ -32,6 +33,10 @@ impl<M: Layout<I>, L: Layout<I>> Connectivity<M> for List<L> {
 
     fn bytes(&self) -> usize {
         self.springs.bytes()
+    }
+
+    fn memory_map(&self) -> (&'static str, MemoryMap<'_>) {
+        ("springs", self.springs.memory_map())
     }
 }
 

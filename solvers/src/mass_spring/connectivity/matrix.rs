@@ -1,5 +1,6 @@
 //! A table of all pairs of masses.
 
+use allotrope::MemoryMap;
 use allotrope::prelude::*;
 
 use super::{Connectivity, Vectors};
@@ -45,6 +46,10 @@ impl<M: Layout<I>, L: Layout<Ij>> Connectivity<M> for Matrix<L> {
 
     fn bytes(&self) -> usize {
         self.bonds.bytes()
+    }
+
+    fn memory_map(&self) -> (&'static str, MemoryMap<'_>) {
+        ("table of pairs", self.bonds.memory_map())
     }
 }
 

@@ -11,6 +11,7 @@ mod list;
 mod matrix;
 mod rows;
 
+use allotrope::MemoryMap;
 use allotrope::prelude::*;
 
 use super::records::{Mass, Rates, Spring};
@@ -45,4 +46,7 @@ pub trait Connectivity<M: Layout<I>>: Send + Sync + Sized {
 
     /// Bytes of all fields.
     fn bytes(&self) -> usize;
+
+    /// What its records are, and where they lie.
+    fn memory_map(&self) -> (&'static str, MemoryMap<'_>);
 }

@@ -1,5 +1,6 @@
 //! A list of springs for each mass.
 
+use allotrope::MemoryMap;
 use allotrope::prelude::*;
 
 use super::{Connectivity, Vectors};
@@ -43,6 +44,10 @@ impl<M: Layout<I>> Connectivity<M> for Rows {
 
     fn bytes(&self) -> usize {
         self.links.bytes()
+    }
+
+    fn memory_map(&self) -> (&'static str, MemoryMap<'_>) {
+        ("lists of springs", self.links.memory_map())
     }
 }
 

@@ -1,8 +1,8 @@
 //! A continuum in any layouts, whatever its particles carry.
 
-use allotrope::Permutation;
 use allotrope::prelude::*;
 use allotrope::spatial::*;
+use allotrope::{MemoryMap, Permutation};
 
 use super::carrier::Carrier;
 use super::{Dimensions, Transfers};
@@ -186,5 +186,9 @@ impl<X: Dimensions, C: Carrier<X>, P: Layout<I>, G: Layout<X>> Medium for Contin
 
     fn bytes(&self) -> usize {
         self.points.bytes() + self.grid.bytes()
+    }
+
+    fn memory_maps(&self) -> [MemoryMap<'_>; 2] {
+        [self.points.memory_map(), self.grid.memory_map()]
     }
 }

@@ -1,8 +1,8 @@
 //! The fluid in any layouts.
 
-use allotrope::Permutation;
 use allotrope::prelude::*;
 use allotrope::spatial::*;
+use allotrope::{MemoryMap, Permutation};
 
 use super::kernels::{clear, count_broken, grid_to_particle, particle_to_grid, update_grid};
 use super::parameters::Mpm;
@@ -114,5 +114,9 @@ impl<X: Spatial, P: Layout<I>, G: Layout<X>> Medium for Fluid<X, P, G> {
 
     fn bytes(&self) -> usize {
         self.points.bytes() + self.grid.bytes()
+    }
+
+    fn memory_maps(&self) -> [MemoryMap<'_>; 2] {
+        [self.points.memory_map(), self.grid.memory_map()]
     }
 }

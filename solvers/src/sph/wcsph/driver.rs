@@ -2,6 +2,7 @@
 
 use std::time::{Duration, Instant};
 
+use allotrope::MemoryMap;
 use allotrope::prelude::*;
 use allotrope::spatial::*;
 
@@ -222,6 +223,10 @@ impl<X: Spatial, P: Layout<I>, S: Search<X>> Simulation for Driver<X, P, S> {
 
     fn bytes(&self) -> usize {
         self.medium.bytes()
+    }
+
+    fn memory_maps(&self) -> Vec<(&'static str, MemoryMap<'_>)> {
+        self.medium.memory_maps()
     }
 
     fn positions(&self) -> Vec<[f64; 3]> {

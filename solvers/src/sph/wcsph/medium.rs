@@ -2,7 +2,7 @@
 
 use allotrope::prelude::*;
 use allotrope::spatial::*;
-use allotrope::{Permutation, ShapeError};
+use allotrope::{MemoryMap, Permutation, ShapeError};
 
 use super::clock::TimeStep;
 use super::kernels::{accelerate, advance_density, drift, kick, note, renew_state, sum_density};
@@ -167,5 +167,10 @@ impl<X: Spatial, P: Layout<I>, S: Search<X>> Medium<X, P, S> {
     /// Bytes of all fields.
     pub fn bytes(&self) -> usize {
         self.particles.bytes() + self.anchors.bytes() + self.walls.bytes() + self.search.bytes()
+    }
+
+    /// Where the records of particles lie, and what tells which are neighbours.
+    pub fn memory_maps(&self) -> Vec<(&'static str, MemoryMap<'_>)> {
+        vec![("particles", self.particles.memory_map()), ("neighbours", self.search.near().memory_map())]
     }
 }
