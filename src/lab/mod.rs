@@ -18,6 +18,7 @@ pub mod render;
 pub mod run;
 pub mod scene;
 pub mod search;
+mod shell;
 pub mod signals;
 pub mod statistics;
 pub mod sweep;

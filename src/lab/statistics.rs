@@ -48,6 +48,18 @@ const RESAMPLES: usize = 1000;
 /// # Panics
 /// If there are not as many of both.
 pub fn mean_ratio_interval(values: &[f64], others: &[f64]) -> [f64; 2] {
+    ratio_interval(values, others, |values| values.iter().sum())
+}
+
+/// The same of the ratio of two medians, for which single values that are far off do not matter.
+///
+/// # Panics
+/// If there are not as many of both.
+pub fn median_ratio_interval(values: &[f64], others: &[f64]) -> [f64; 2] {
+    ratio_interval(values, others, median)
+}
+
+fn ratio_interval(values: &[f64], others: &[f64], statistic: fn(&[f64]) -> f64) -> [f64; 2] {
     assert_eq!(values.len(), others.len(), "values and others are pairs");
     let mut state = 1u64;
     let mut drawn = || {
@@ -56,12 +68,9 @@ pub fn mean_ratio_interval(values: &[f64], others: &[f64]) -> [f64; 2] {
         (state >> 33) as usize % values.len()
     };
     let ratio = |_| {
-        let mut sums = (0.0, 0.0);
-        for _ in 0..values.len() {
-            let pair = drawn();
-            sums = (sums.0 + values[pair], sums.1 + others[pair]);
-        }
-        sums.0 / sums.1
+        let (drawn, paired): (Vec<f64>, Vec<f64>) =
+            values.iter().map(|_| drawn()).map(|pair| (values[pair], others[pair])).unzip();
+        statistic(&drawn) / statistic(&paired)
     };
     let ratios: Vec<f64> = (0..RESAMPLES).map(ratio).collect();
     [quantile(&ratios, 0.025), quantile(&ratios, 0.975)]
@@ -120,6 +129,16 @@ mod tests {
         let [low, high] = mean_ratio_interval(&other, &[1.0; 12]);
         assert!(low < 1.0 && 1.0 < high && (0.08..0.16).contains(&(high - low)), "{low} {high}");
         assert!(mean_ratio_interval(&[], &[])[0].is_nan());
+    }
+
+    #[test]
+    fn one_value_that_is_far_off_does_not_matter_for_medians() {
+        let mut slow: Vec<f64> = (0..11).map(|n| 2.0 + 0.01 * f64::from(n % 3)).collect();
+        slow[4] = 90.0;
+        let [low, high] = median_ratio_interval(&slow, &[1.0; 11]);
+        assert!((2.0..=2.01).contains(&low) && (2.0..=2.02).contains(&high) && low <= high, "{low} {high}");
+        assert!(mean_ratio_interval(&slow, &[1.0; 11])[1] > 10.0);
+        assert!(median_ratio_interval(&[], &[])[0].is_nan());
     }
 
     #[test]

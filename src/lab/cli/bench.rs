@@ -82,7 +82,8 @@ impl BenchArguments {
             Axis::Threads => ("threads", threads.is_some()),
             Axis::Order => ("reorder", reorder.is_some()),
         };
-        if twice {
+        // With points of its own it is what the sweep begins with.
+        if twice && self.points.is_none() {
             return Err(LabError::usage(format!(
                 "`--{option}` is what `--sweep {}` changes; leave it out, or ask for `--points`",
                 axis.name()

@@ -5,7 +5,7 @@ pub mod check;
 mod frames;
 mod progress;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use allotrope::Schedule;
@@ -17,6 +17,7 @@ use super::machine::{self, NamedSchedule};
 use super::output;
 use super::render::Shading;
 use super::scene::size;
+use super::shell::quoted;
 use super::signals::Signals;
 pub use calendar::Calendar;
 pub use frames::{Export, Outputs};
@@ -215,7 +216,7 @@ impl Run<'_> {
             "interrupted after step {} of {}; go on with `allotrope run --resume {}`",
             simulation.steps(),
             self.plan.calendar.steps,
-            quoted(&file)
+            quoted(&file.display().to_string())
         );
         Ok(LabError::interrupted(message, signal))
     }
@@ -256,13 +257,6 @@ fn bounds(simulation: &dyn Simulation) -> String {
         .map(|(what, most)| format!("{most:.2e} for {what}"))
         .collect();
     format!("the last step took {:.2e} s, of at most {}\n", simulation.dt(), bounds.join(", "))
-}
-
-/// A path as a shell takes it.
-fn quoted(path: &Path) -> String {
-    let text = path.display().to_string();
-    let plain = |c: char| c.is_ascii_alphanumeric() || "/._-+=:@,".contains(c);
-    if text.chars().all(plain) { text } else { format!("'{}'", text.replace('\'', r"'\''")) }
 }
 
 fn start<'a>(plan: &'a Plan, simulation: &dyn Simulation) -> Event<'a> {
@@ -316,12 +310,6 @@ fn seeds(scene: &Scene) -> Vec<u64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn paths_are_quoted_where_a_shell_would_part_them() {
-        assert_eq!(quoted(Path::new("out/checkpoint.npz")), "out/checkpoint.npz");
-        assert_eq!(quoted(Path::new("my out/a'b")), r"'my out/a'\''b'");
-    }
 
     #[test]
     fn seeds_are_those_of_what_is_random() {
