@@ -15,6 +15,7 @@ pub mod map;
 pub mod output;
 pub mod peers;
 pub mod render;
+pub mod report;
 pub mod run;
 pub mod scene;
 pub mod search;

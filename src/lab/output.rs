@@ -87,7 +87,7 @@ pub fn folder(path: &Path) -> Result<(), LabError> {
 fn left_over(name: &str) -> bool {
     let stem = name.strip_suffix(".part").and_then(|stem| stem.rsplit_once('.'));
     let Some((name, process)) = stem else { return false };
-    let ours = ["frame_", "particles", "grid", "checkpoint.", "sheet.", "animation.", "sweep."];
+    let ours = ["frame_", "particles", "grid", "checkpoint.", "sheet.", "animation.", "sweep.", "report."];
     !process.is_empty()
         && process.bytes().all(|digit| digit.is_ascii_digit())
         && (name.is_empty() || ours.iter().any(|start| name.starts_with(start)))

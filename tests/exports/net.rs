@@ -10,6 +10,7 @@ use allotrope_lab::lab::convert_cost::{self, convert_cost};
 use allotrope_lab::lab::export::{npz, ply, vtk};
 use allotrope_lab::lab::machine::NamedSchedule;
 use allotrope_lab::lab::render::{Camera, Picture, Shading};
+use allotrope_lab::lab::report as page;
 use allotrope_lab::lab::run::{Calendar, Export, Outputs, Plan, Progress, run};
 use allotrope_lab::lab::sweep::{self, Axis, sweep};
 use allotrope_solvers::scene::{Basics, Keys, Particles};
@@ -442,6 +443,32 @@ fn a_bench_without_a_grid_reports_none() {
     let report: bench::Report = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
     assert_eq!((report.particles, report.grid.len(), report.rows.len()), (25, 0, 2));
     assert!(report.rows.iter().all(|row| row.ms_per_step > 0.2 && row.state_error == 0.0), "{report:?}");
+}
+
+#[test]
+fn a_page_ranks_the_faster_layout_first_and_tells_what_cannot_be_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let plan = |sweep| page::Plan {
+        bench: bench::Plan { layouts: vec!["rows", "flat"], ..bench_plan(scene(2)) },
+        scene: Vec::new(),
+        command: vec!["report".into(), "net".into()],
+        budget: 1.0,
+        sweep,
+        counts: None,
+        out: folder.path().to_path_buf(),
+    };
+    page::report(&plan(false)).unwrap();
+    let html = std::fs::read_to_string(folder.path().join(page::FILE)).unwrap();
+    // Steps of 0.8 ms against such of 0.2 ms.
+    assert!(html.contains("Choose <code>flat</code>: a step takes 0."), "{html}");
+    assert!(html.contains("Slower than the best beyond the noise: <code>rows</code>."), "{html}");
+    let unmapped = "since the solver does not tell where their records lie: <code>rows</code> and <code>flat</code>.";
+    assert!(html.contains(unmapped), "{html}");
+    // What is refused is refused before anything is measured.
+    std::fs::remove_file(folder.path().join(page::FILE)).unwrap();
+    let error = page::report(&plan(true)).unwrap_err();
+    assert!(error.status() == 2 && error.to_string().contains("has as many particles as its scenes tell"), "{error}");
+    assert!(!folder.path().join(page::FILE).exists());
 }
 
 /// What a change costs, as the report in a file says.

@@ -3,7 +3,7 @@
 
 pub(super) mod contender;
 mod report;
-mod text;
+pub(super) mod text;
 
 use std::path::Path;
 use std::time::Duration;
@@ -22,6 +22,9 @@ use text::{About, text};
 
 /// Repetitions, if there are steps enough.
 const REPETITIONS: u64 = 11;
+
+/// About how many seconds all repetitions take, if no steps are asked for.
+pub(super) const SECONDS: f64 = 20.0;
 
 /// What is to be compared.
 #[derive(Clone, Debug)]
@@ -55,6 +58,18 @@ pub fn bench(plan: &Plan, json: Option<&Path>) -> Result<(), LabError> {
 }
 
 pub(super) fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
+    let compared = compare(plan, SECONDS)?;
+    Ok((compared.report(plan), compared.about))
+}
+
+/// All contenders of a plan at their ends, and how they came there.
+pub(super) struct Compared {
+    pub(super) contenders: Vec<Contender>,
+    pub(super) about: About,
+}
+
+/// Checks that all contenders come to the same state, and times them for about so many seconds, if no steps are asked for.
+pub(super) fn compare(plan: &Plan, seconds: f64) -> Result<Compared, LabError> {
     let mut contenders = Vec::new();
     for &layout in &plan.layouts {
         for &named in &plan.schedules {
@@ -72,7 +87,7 @@ pub(super) fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
     }
     let agreement = verify(&contenders, verified)?;
 
-    let pieces = pieces(warm.as_secs_f64() / verified as f64, plan.steps);
+    let pieces = pieces_within(seconds, warm.as_secs_f64() / verified as f64, plan.steps);
     let (repetitions, steps) = (pieces.len() as u64, pieces.iter().sum());
     let style = ProgressStyle::with_template("{bar:40} repetition {pos}/{len}, {eta} left");
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
@@ -88,18 +103,26 @@ pub(super) fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
     }
     bar.finish_and_clear();
 
-    let reference = contenders[0].simulation.positions();
-    let simulation = &contenders[0].simulation;
-    let report = Report {
-        solver: plan.solver.name.to_string(),
-        scene: plan.name.clone(),
-        particles: simulation.particles(),
-        grid: simulation.grid_shape(),
-        threads: machine::threads(plan.threads),
-        isa: machine::instruction_set(),
-        rows: contenders.iter().map(|contender| row(contender, &reference)).collect(),
-    };
-    Ok((report, About { verified, agreement, repetitions, steps, time: simulation.time(), left_out: left_out(plan) }))
+    let time = contenders[0].simulation.time();
+    let about = About { verified, agreement, repetitions, steps, time, left_out: left_out(plan) };
+    Ok(Compared { contenders, about })
+}
+
+impl Compared {
+    /// What was found.
+    pub(super) fn report(&self, plan: &Plan) -> Report {
+        let simulation = &self.contenders[0].simulation;
+        let reference = simulation.positions();
+        Report {
+            solver: plan.solver.name.to_string(),
+            scene: plan.name.clone(),
+            particles: simulation.particles(),
+            grid: simulation.grid_shape(),
+            threads: machine::threads(plan.threads),
+            isa: machine::instruction_set(),
+            rows: self.contenders.iter().map(|contender| row(contender, &reference)).collect(),
+        }
+    }
 }
 
 /// The layouts that do not fit, and why, if all that fit are compared.
@@ -132,9 +155,14 @@ fn row(contender: &Contender, reference: &[[f64; 3]]) -> Row {
 }
 
 /// The steps of each repetition, where a step of all contenders takes `each` seconds: as many as are asked for, or what
-/// takes about 20 seconds.
+/// takes about [`SECONDS`].
 pub(super) fn pieces(each: f64, asked: Option<u64>) -> Vec<u64> {
-    let steps = asked.unwrap_or_else(|| ((20.0 / each) as u64).clamp(REPETITIONS, 1100));
+    pieces_within(SECONDS, each, asked)
+}
+
+/// The same for about so many seconds.
+fn pieces_within(seconds: f64, each: f64, asked: Option<u64>) -> Vec<u64> {
+    let steps = asked.unwrap_or_else(|| ((seconds / each) as u64).clamp(REPETITIONS, 1100));
     let repetitions = REPETITIONS.min(steps);
     (0..repetitions).map(|n| steps * (n + 1) / repetitions - steps * n / repetitions).collect()
 }

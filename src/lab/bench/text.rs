@@ -17,7 +17,7 @@ pub(in crate::lab) struct About {
 }
 
 /// Machine and scene, what was checked, and the table.
-pub(super) fn text(report: &Report, about: &About) -> String {
+pub(in crate::lab) fn text(report: &Report, about: &About) -> String {
     let mut text = format!(
         "{} {}: {}\n{}, {} threads, {}\n",
         report.solver,

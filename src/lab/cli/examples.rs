@@ -6,6 +6,7 @@ Examples:
   allotrope list                                # what there is
   allotrope run mpm --scene bunny --gif         # pictures and an animation in allotrope-out
   allotrope bench mpm                           # the same scene in many layouts
+  allotrope report mpm                          # the same as a page, allotrope-report/report.html
 
 Exit status:
   0    done
@@ -44,6 +45,18 @@ Examples:
   allotrope bench mpm --particles 100000 --sweep order --points 0,16,auto
 
 A sweep has its results on the disk after each point: the same command goes on after the last one.";
+
+/// Of `report`.
+pub(super) const REPORT: &str = "\
+Examples:
+  allotrope report mpm                          # all layouts that fit the first scene, in allotrope-report/report.html
+  allotrope report wcsph --scene dam-break --particles 5000 --threads 1 --out dam-break
+  allotrope report mpm --particles 100000 --grid 512 --sweep --budget 60
+  allotrope report mpm --layouts aos+row,soa+soa --counts counts.json
+
+The page holds all that it shows and needs no network: it can be sent, read on a phone and printed. It tells of the scene and the machine, ranks the
+layouts with intervals of 95 %, shows where their time goes and where their records lie in memory, and gives below each table the command that makes
+its numbers again. All layouts must end in the same state before anything is timed.";
 
 /// Of `search`.
 pub(super) const SEARCH: &str = "\

@@ -6,6 +6,7 @@ mod convert_cost;
 mod counts;
 mod examples;
 mod map;
+mod report;
 mod run;
 mod scene;
 mod scenes;
@@ -24,6 +25,7 @@ pub use self::compare::CompareCommand;
 pub use self::convert_cost::ConvertCostArguments;
 pub use self::counts::CountArguments;
 pub use self::map::MapArguments;
+pub use self::report::ReportArguments;
 pub use self::run::RunArguments;
 pub use self::scene::SceneCommand;
 pub use self::search::SearchArguments;
@@ -49,6 +51,9 @@ enum Command {
     /// Runs a scene in many layouts, checks that they agree, and compares their speed
     #[command(after_help = examples::BENCH)]
     Bench(BenchArguments),
+    /// Compares layouts as `bench` does, and writes a page about it for people who have read nothing else
+    #[command(after_help = examples::REPORT)]
+    Report(ReportArguments),
     /// Finds the best layout, schedule and interval of sorting for a scene
     #[command(after_help = examples::SEARCH)]
     Search(SearchArguments),
@@ -130,6 +135,7 @@ impl Cli {
             Command::List => output::print(&list::text()),
             Command::Run(arguments) => arguments.execute(),
             Command::Bench(arguments) => arguments.execute(),
+            Command::Report(arguments) => arguments.execute(),
             Command::Search(arguments) => arguments.execute(),
             Command::ConvertCost(arguments) => arguments.execute(),
             Command::Count(arguments) => arguments.execute(),

@@ -54,6 +54,20 @@ impl SceneArguments {
         Ok(())
     }
 
+    /// The options by which the scene is asked for, as words of a command; without threads and steps.
+    pub(super) fn words(&self) -> Vec<String> {
+        let option = |name: &str, value: &str| [format!("--{name}"), value.to_string()];
+        let scene = self.scene.iter().map(|scene| option("scene", scene));
+        let set = self.set.iter().map(|set| option("set", set));
+        let sizes = [
+            ("particles", self.particles.map(|count| count.to_string())),
+            ("grid", self.grid.map(|nodes| nodes.to_string())),
+            ("reorder", self.reorder.map(|reorder| reorder.to_string())),
+        ];
+        let sizes = sizes.iter().filter_map(|(name, value)| Some(option(name, value.as_deref()?)));
+        scene.chain(set).chain(sizes).flatten().collect()
+    }
+
     /// The name by which the scene is asked for.
     pub(super) fn name<'a>(&'a self, solver: &SolverInfo) -> &'a str {
         self.scene.as_deref().unwrap_or(solver.scenes[0].name)

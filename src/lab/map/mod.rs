@@ -36,6 +36,7 @@ use std::ops::Range;
 use allotrope::Standing;
 
 pub use self::page::{Sheet, page};
+pub(in crate::lab) use self::paper::escaped;
 pub use self::sums::summary;
 pub use self::svg::Drawing;
 pub use self::text::TextMap;

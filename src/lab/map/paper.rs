@@ -97,7 +97,7 @@ fn number(value: f64) -> String {
 }
 
 /// Text as SVG and HTML write it.
-pub(super) fn escaped(text: &str) -> String {
+pub(in crate::lab) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 

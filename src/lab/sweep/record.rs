@@ -132,11 +132,16 @@ impl Record {
         self.points.sort_by(|a, b| self.head.axis.order(&a.value, &b.value));
     }
 
+    /// Its chart, as the text of an SVG file.
+    pub(in crate::lab) fn chart(&self) -> Result<String, LabError> {
+        chart::svg(self)
+    }
+
     /// Writes all files; the one from which the sweep goes on comes first.
     pub(super) fn write(&self, out: &Path) -> Result<(), LabError> {
         output::write(&out.join(FILE), output::line_of_json(self)?.as_bytes())?;
         output::write(&out.join("sweep.csv"), self.csv().as_bytes())?;
-        output::write(&out.join("sweep.svg"), chart::svg(self)?.as_bytes())
+        output::write(&out.join("sweep.svg"), self.chart()?.as_bytes())
     }
 
     /// A line for each layout and schedule at each point.

@@ -1,0 +1,22 @@
+//! What tests of several parts share.
+
+use crate::lab::bench::{Kernels, Report, Row};
+
+/// A row of a comparison, whose two kernels take three quarters and a quarter of a step.
+pub(super) fn row(layout: &str, ms: f64) -> Row {
+    Row {
+        layout: layout.into(),
+        schedule: "auto".into(),
+        ms_per_step: ms,
+        spread: 0.01,
+        kernels: Kernels(vec![("scatter".into(), 0.75 * ms), ("grid".into(), 0.25 * ms)]),
+        bytes: 1 << 20,
+        state_error: 0.0,
+    }
+}
+
+/// A comparison of some rows.
+pub(super) fn report(rows: Vec<Row>) -> Report {
+    let (solver, scene, isa) = ("net".into(), "cloth".into(), "baseline".into());
+    Report { solver, scene, particles: 1000, grid: Vec::new(), threads: 1, isa, rows }
+}
