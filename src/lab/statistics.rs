@@ -40,7 +40,7 @@ pub fn median_interval(values: &[f64]) -> [f64; 2] {
 }
 
 /// Resamples of a bootstrap.
-const RESAMPLES: usize = 1000;
+pub const RESAMPLES: usize = 1000;
 
 /// Between which the ratio of two means lies with 95 % confidence: from resampled pairs of values that were measured in turn (Efron &
 /// Tibshirani 1993, "An introduction to the bootstrap", section 13.3). The same values give the same interval. `NaN` if there are none.

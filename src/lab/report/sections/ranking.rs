@@ -75,7 +75,7 @@ fn columns() -> Vec<(String, String)> {
         ),
         (
             "95 % intervals",
-            "where that median, or that ratio, lies with 95 % confidence as far as noise within this run goes; of ratios by 1000 resamples of the paired repetitions. A ratio whose interval reaches 1 is no difference: level",
+            "where that median, or that ratio, lies with 95 % confidence as far as noise within this run goes; of ratios by resampling the paired repetitions. Where that of a ratio reaches down to 1, these measurements tell no difference: level",
         ),
         ("spread", "the width of the middle half of the repetitions, over their median"),
         ("ratio to the best", "how many times as long a step takes as with the fastest layout"),

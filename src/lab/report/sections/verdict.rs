@@ -45,7 +45,7 @@ pub(in crate::lab::report) fn verdict(ranking: &[Ranked], repetitions: u64) -> S
             let next = others.iter().find(|one| !one.is_level);
             let next = next.map_or(String::new(), |next| {
                 format!(
-                    " `{}`, the first that is slower for certain, takes {:.3} times as long ({}).",
+                    " `{}`, the first that is slower beyond the noise, takes {:.3} times as long ({}).",
                     next.name,
                     next.ratio,
                     interval(next)
@@ -177,7 +177,7 @@ mod tests {
             level.starts_with("Choose `aos` or `split`: `aos` was the fastest (a step takes 1.000 ms), but"),
             "{level}"
         );
-        assert!(level.contains(" `soa`, the first that is slower for certain, takes 2.000 times"), "{level}");
+        assert!(level.contains(" `soa`, the first that is slower beyond the noise, takes 2.000 times"), "{level}");
         let none = verdict(&ranking(&[("aos", 1.0), ("split", 1.001)], 11), 11);
         assert!(none.contains("do not tell it from `split`: any of them will do"), "{none}");
         let few = verdict(&ranking(&[("aos", 1.0), ("soa", 2.0)], 3), 3);
