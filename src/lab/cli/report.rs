@@ -48,12 +48,7 @@ impl ReportArguments {
         if self.budget > LONGEST {
             return Err(LabError::usage(format!("`--budget {}` is longer than a day, {LONGEST} s", self.budget)));
         }
-        let layouts = if self.layouts.trim() == "all" {
-            scenes::fit(solver, &scene)
-        } else {
-            let named = words(&self.layouts).into_iter().map(|name| scenes::fitting(solver, &scene, Some(name)));
-            named.collect::<Result<_, _>>()?
-        };
+        let layouts = scenes::asked(solver, &scene, &self.layouts)?;
         let schedules: Result<Vec<_>, _> = words(&self.schedules).into_iter().map(NamedSchedule::find).collect();
         let schedules = schedules.map_err(LabError::usage)?;
         if layouts.is_empty() || schedules.is_empty() {

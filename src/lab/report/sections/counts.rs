@@ -14,6 +14,9 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, LabError> 
 /// A value with what is in it: lists of objects as tables, objects as names with their values.
 fn shown(mut html: Html, name: &str, value: &Value) -> Html {
     match value {
+        Value::Array(values) if values.iter().any(is_deep) => {
+            values.iter().fold(html, |html, value| shown(html.heading(&headline(name, value)), name, value))
+        }
         Value::Array(values) if values.iter().any(Value::is_object) => html.table(&table(name, values)),
         Value::Array(values) => html.list(&values.iter().map(plain).collect::<Vec<_>>()),
         Value::Object(values) => {
@@ -30,6 +33,19 @@ fn shown(mut html: Html, name: &str, value: &Value) -> Html {
         }
         value => html.paragraph(&plain(value)),
     }
+}
+
+/// Whether an object holds more than fits into a row of a table: other objects.
+fn is_deep(value: &Value) -> bool {
+    let inner =
+        |value: &Value| value.is_object() || value.as_array().is_some_and(|all| all.iter().any(Value::is_object));
+    value.as_object().is_some_and(|object| object.values().any(inner))
+}
+
+/// What an object of a list is: its first word, `layout aos`.
+fn headline(name: &str, value: &Value) -> String {
+    let first = value.as_object().and_then(|object| object.iter().find(|(_, value)| value.is_string()));
+    first.map_or(words(name), |(key, value)| format!("{} `{}`", words(key), plain(value)))
 }
 
 /// A table of objects, whose columns are all keys that one of them has: words first.
@@ -92,6 +108,10 @@ mod tests {
             text.contains("<th scope=\"row\">soa</th><td class=\"number\">\u{2013}</td><td class=\"number\">3</td>"),
             "{text}"
         );
+        let deep = json!([{"layout": "aos", "loops": [{"kernel": "p2g", "count": 9}]}]);
+        let deep = shown(Html::default(), "layouts", &deep);
+        assert!(deep.text().contains("<h3>layout <code>aos</code></h3>") && deep.text().contains("<h3>loops</h3>"));
+        assert!(deep.text().contains("<th scope=\"row\">p2g</th><td class=\"number\">9</td>"), "{deep:?}");
         assert!(shown(Html::default(), "counts", &json!(7)).text().contains("<p>7</p>"));
     }
 }
