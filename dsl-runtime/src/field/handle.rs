@@ -226,8 +226,9 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     /// Makes a cell of a block that is there active.
     #[inline(always)]
     pub(crate) fn activate_in(&self, m: usize, brick: *mut u8, block: &Block, inner: &[u32; MAX_AXES]) {
-        let grain = Map::<R, L, X>::grain(m);
-        if let Some(bit) = Map::<R, L, X>::cell_number(m, inner).checked_div(grain) {
+        if const { L::BRANCHES > 1 || Map::<R, L, X>::grain(0) > 0 }
+            && let Some(bit) = Map::<R, L, X>::cell_number(m, inner).checked_div(Map::<R, L, X>::grain(m))
+        {
             let (word, bit) = Store::bit_of(brick, Map::<R, L, X>::bits_at(m), bit);
             // Read first: neighbours of many threads share the word.
             if word.load(Ordering::Relaxed) & bit == 0 {
@@ -235,7 +236,9 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
                 self.store(m).mark();
             }
         }
-        if let Some(list) = const { Map::<R, L, X>::list() } {
+        if const { Map::<R, L, X>::list().is_some() }
+            && let Some(list) = const { Map::<R, L, X>::list() }
+        {
             let entry = (block[list.axis] as usize) * list.chunk + inner[list.axis] as usize;
             Self::extend(*self, *block, entry + 1);
         }
@@ -244,8 +247,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     /// Makes a list have so many entries at least.
     #[inline(never)]
     fn extend(self, block: Block, len: usize) {
-        let list = const { Map::<R, L, X>::list() };
-        let Some(list) = list else { return };
+        let Some(list) = (const { Map::<R, L, X>::list() }) else { return };
         assert!(len <= list.most, "an entry within the list's maximum");
         let store = self.store(0);
         let head = Map::<R, L, X>::head::<true>(&self.geometry, store, &block).expect("a list that was just made");
@@ -324,6 +326,18 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     /// The element lies within the shape, and nobody writes it meanwhile.
     #[inline(always)]
     pub(crate) unsafe fn read<P: Path<R>>(&self, at: [u32; MAX_AXES]) -> P::Value {
+        if const { L::BRANCHES == 1 && L::CHAIN.is_sparse() } {
+            // One block holds all members.
+            let (block, inner) = Self::split(P::OFFSET, at);
+            let brick = self.brick(P::OFFSET, &block);
+            // SAFETY: as below.
+            return unsafe {
+                P::gather(
+                    #[inline(always)]
+                    |m| self.component_in(m, brick, &inner),
+                )
+            };
+        }
         // SAFETY: components of elements within the shape lie in the field's memory, which holds values of their types.
         unsafe {
             P::gather(
@@ -339,6 +353,18 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     /// The element lies within the shape, and nobody reads or writes it meanwhile.
     #[inline(always)]
     pub(crate) unsafe fn write<P: Path<R>>(&self, at: [u32; MAX_AXES], value: P::Value) {
+        if const { L::BRANCHES == 1 && L::CHAIN.is_sparse() } {
+            let (block, inner) = Self::split(P::OFFSET, at);
+            let brick = self.touch(P::OFFSET, &block, &inner);
+            // SAFETY: as below.
+            return unsafe {
+                P::scatter(
+                    value,
+                    #[inline(always)]
+                    |m| self.component_in(m, brick, &inner),
+                )
+            };
+        }
         // SAFETY: as for `read`, and the caller has the element to itself.
         unsafe {
             P::scatter(
@@ -376,8 +402,10 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
 
     /// The entries of the list at a block's place.
     pub(crate) fn list_len(&self, block: &Block) -> usize {
-        let list = const { Map::<R, L, X>::list() };
-        let Some(list) = list else { return 0 };
+        if const { Map::<R, L, X>::list().is_none() } {
+            return 0;
+        }
+        let Some(list) = (const { Map::<R, L, X>::list() }) else { return 0 };
         Map::<R, L, X>::head::<false>(&self.geometry, self.store(0), block).map_or(0, |head| head.len(list.most))
     }
 

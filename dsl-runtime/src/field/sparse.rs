@@ -387,6 +387,9 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
 
     /// Takes entries out of their lists; the others move up, in their order.
     fn remove_entries(&self, axis: usize, mut places: Vec<[u32; MAX_AXES]>) {
+        if const { Map::<R, L, X>::list().is_none() } {
+            return;
+        }
         sort_by_list(axis, &mut places);
         for entries in places.chunk_by(|a, b| list_of(axis, a) == list_of(axis, b)) {
             let removed = |n: usize| entries.binary_search_by_key(&n, |at| at[axis] as usize).is_ok();
