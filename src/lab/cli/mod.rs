@@ -77,6 +77,13 @@ enum Command {
     Completions(CompletionsArguments),
 }
 
+impl Command {
+    /// Whether it tells how long something takes.
+    fn measures(&self) -> bool {
+        matches!(self, Self::Bench(_) | Self::Search(_) | Self::ConvertCost(_) | Self::Compare(_) | Self::Report(_))
+    }
+}
+
 /// What is asked of `allotrope completions`.
 #[derive(Args, Debug)]
 struct CompletionsArguments {
@@ -131,6 +138,11 @@ impl Cli {
     pub fn execute(self) -> Result<(), LabError> {
         machine::check()?;
         signals::tell_limits()?;
+        if cfg!(feature = "probe") && self.command.measures() {
+            eprintln!(
+                "note: built with `--features probe`, in which every access asks whether it is counted: times are longer than those of other builds"
+            );
+        }
         match self.command {
             Command::List => output::print(&list::text()),
             Command::Run(arguments) => arguments.execute(),

@@ -7,6 +7,7 @@ use clap::Args;
 use super::scenes::{self, SceneArguments};
 use super::values::{self, words};
 use crate::lab::bench;
+use crate::lab::counts::Report;
 use crate::lab::errors::LabError;
 use crate::lab::machine::NamedSchedule;
 use crate::lab::report::{Plan, report};
@@ -33,7 +34,7 @@ pub struct ReportArguments {
     /// Compares at other sizes too, which takes about as long again
     #[arg(long)]
     sweep: bool,
-    /// Counts that were made elsewhere, such as of accesses, to be shown too: a JSON file
+    /// What `count --json` has written of this scene, to be shown too
     #[arg(long, value_name = "FILE")]
     counts: Option<PathBuf>,
     /// The folder for `report.html`
@@ -54,7 +55,8 @@ impl ReportArguments {
         if layouts.is_empty() || schedules.is_empty() {
             return Err(LabError::usage("`--layouts` and `--schedules` each want at least one name"));
         }
-        let counts = self.counts.as_deref().map(counts).transpose()?;
+        let file = self.counts.as_deref();
+        let counts = file.map(|file| counts(file, solver.name, self.what.name(solver))).transpose()?;
         let (name, command, words) = (self.what.name(solver).to_string(), self.command(), self.what.words());
         let SceneArguments { threads, steps, .. } = self.what;
         let bench = bench::Plan { solver, name, scene, layouts, schedules, threads, steps };
@@ -83,9 +85,14 @@ impl ReportArguments {
     }
 }
 
-/// What a file of counts holds.
-fn counts(file: &Path) -> Result<serde_json::Value, LabError> {
+/// The counts of a file, which are of this scene.
+fn counts(file: &Path, solver: &str, scene: &str) -> Result<Report, LabError> {
     let fault = |why: String| LabError::usage(format!("`{}` {why}", file.display()));
     let text = std::fs::read_to_string(file).map_err(|error| fault(format!("cannot be read: {error}")))?;
-    serde_json::from_str(&text).map_err(|error| fault(format!("is no JSON: {error}")))
+    let counts: Report = serde_json::from_str(&text)
+        .map_err(|error| fault(format!("is not what `allotrope count --json` writes: {error}")))?;
+    if (counts.solver.as_str(), counts.scene.as_str()) != (solver, scene) {
+        return Err(fault(format!("has counts of {} {}, not of {solver} {scene}", counts.solver, counts.scene)));
+    }
+    Ok(counts)
 }

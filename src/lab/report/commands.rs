@@ -64,6 +64,12 @@ impl Commands {
         self.line(&self.with("search", &["--budget", "60", "--threads", &self.threads.to_string()].map(String::from)))
     }
 
+    /// What so many steps touch.
+    pub(in crate::lab) fn count(&self, steps: u64) -> String {
+        let options = ["--layouts", &self.layouts, "--steps", &steps.to_string()].map(String::from);
+        self.line(&self.with("count", &[&options[..], &["--json".into(), "counts.json".into()]].concat()))
+    }
+
     fn compared(&self, more: &[String]) -> Vec<String> {
         let threads = self.threads.to_string();
         let options = ["--layouts", &self.layouts, "--schedules", &self.schedules, "--threads", &threads];

@@ -33,8 +33,8 @@ pub(in crate::lab) struct Findings {
     /// Layouts of which there is no map.
     pub(in crate::lab) unmapped: Vec<String>,
     pub(in crate::lab) sweep: Option<Swept>,
-    /// What was counted elsewhere.
-    pub(in crate::lab) counts: Option<serde_json::Value>,
+    /// What a step touches.
+    pub(in crate::lab) counts: Option<crate::lab::counts::Report>,
     pub(in crate::lab) surroundings: Surroundings,
     pub(in crate::lab) commands: Commands,
 }

@@ -42,8 +42,8 @@ pub struct Plan {
     pub budget: f64,
     /// Whether the layouts are compared at other sizes too.
     pub sweep: bool,
-    /// Counts that were made elsewhere, to be shown: any JSON.
-    pub counts: Option<serde_json::Value>,
+    /// What a step touches, to be shown.
+    pub counts: Option<super::counts::Report>,
     /// The folder for the page.
     pub out: PathBuf,
 }

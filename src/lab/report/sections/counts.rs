@@ -1,117 +1,126 @@
-//! Counts that were made elsewhere, of accesses or of what caches miss, where there are some: any JSON.
-
-use serde_json::Value;
+//! What a step touches in each layout, as `allotrope count` has told it.
 
 use super::super::html::Table;
 use super::{Findings, Html, Section};
+use crate::lab::counts::{Layout, Member, Report};
 use crate::lab::errors::LabError;
 
 pub(super) fn section(findings: &Findings) -> Result<Option<Section>, LabError> {
     let Some(counts) = &findings.counts else { return Ok(None) };
-    Ok(Some(Section { id: "counts", title: "Counts", body: shown(Html::default(), "counts", counts) }))
+    let body = shown(counts, &findings.commands.count(counts.steps));
+    Ok(Some(Section { id: "counts", title: "What a step touches", body }))
 }
 
-/// A value with what is in it: lists of objects as tables, objects as names with their values.
-fn shown(mut html: Html, name: &str, value: &Value) -> Html {
-    match value {
-        Value::Array(values) if values.iter().any(is_deep) => {
-            values.iter().fold(html, |html, value| shown(html.heading(&headline(name, value)), name, value))
-        }
-        Value::Array(values) if values.iter().any(Value::is_object) => html.table(&table(name, values)),
-        Value::Array(values) => html.list(&values.iter().map(plain).collect::<Vec<_>>()),
-        Value::Object(values) => {
-            let (deep, flat): (Vec<_>, Vec<_>) =
-                values.iter().partition(|(_, value)| value.is_object() || value.is_array());
-            if !flat.is_empty() {
-                html =
-                    html.terms(&flat.into_iter().map(|(name, value)| (words(name), plain(value))).collect::<Vec<_>>());
-            }
-            for (name, value) in deep {
-                html = shown(html.heading(&words(name)), name, value);
-            }
-            html
-        }
-        value => html.paragraph(&plain(value)),
-    }
+fn shown(counts: &Report, command: &str) -> Html {
+    let steps = if counts.steps == 1 { "one step".to_string() } else { format!("{} steps", counts.steps) };
+    let [first, second] = counts.caches.map(|[bytes, ways]| format!("{} KiB of {ways} ways", bytes >> 10));
+    let html = Html::default()
+        .paragraph(&format!(
+            "Times differ from machine to machine; counts do not. These are of {steps} from the start of the scene, on one thread. All layouts make the same \
+             accesses, but spread them over more or fewer cache lines of {} bytes; of a line that is fetched, only the useful bytes are touched at all. Misses are \
+             those of a model: {first} before {second}. Shared lines are those that two threads would both write, each with half of a loop.",
+            counts.line
+        ))
+        .table(&sums(counts))
+        .command("By a program that was built with `--features probe`, these counts are made by:", command);
+    counts
+        .layouts
+        .iter()
+        .fold(html, |html, layout| html.heading(&format!("`{}` loop by loop", layout.layout)).table(&loops(layout)))
 }
 
-/// Whether an object holds more than fits into a row of a table: other objects.
-fn is_deep(value: &Value) -> bool {
-    let inner =
-        |value: &Value| value.is_object() || value.as_array().is_some_and(|all| all.iter().any(Value::is_object));
-    value.as_object().is_some_and(|object| object.values().any(inner))
+const COLUMNS: [&str; 6] = ["accesses", "MiB", "cache lines", "useful bytes a line", "misses, first", "misses, second"];
+
+fn numbers(sum: &Member) -> [String; 6] {
+    let [first, second] = sum.misses;
+    [
+        sum.count.to_string(),
+        mebibytes(sum.bytes),
+        sum.lines.to_string(),
+        format!("{:.1}", sum.useful_bytes_a_line()),
+        first.to_string(),
+        second.to_string(),
+    ]
 }
 
-/// What an object of a list is: its first word, `layout aos`.
-fn headline(name: &str, value: &Value) -> String {
-    let first = value.as_object().and_then(|object| object.iter().find(|(_, value)| value.is_string()));
-    first.map_or(words(name), |(key, value)| format!("{} `{}`", words(key), plain(value)))
+fn mebibytes(bytes: u64) -> String {
+    format!("{:.2}", bytes as f64 / f64::from(1 << 20))
 }
 
-/// A table of objects, whose columns are all keys that one of them has: words first.
-fn table(name: &str, values: &[Value]) -> Table {
-    let mut columns: Vec<&String> = Vec::new();
-    for key in values.iter().filter_map(Value::as_object).flat_map(|object| object.keys()) {
-        if !columns.contains(&key) {
-            columns.push(key);
-        }
-    }
-    let numbers = |key: &&String| values.iter().filter_map(|value| value.get(key.as_str())).any(Value::is_number);
-    columns.sort_by_key(numbers);
-    let of_words = columns.iter().filter(|key| !numbers(key)).count();
-    let cell = |value: &Value, key: &str| value.get(key).map_or("\u{2013}".into(), plain);
-    let rows = values.iter().map(|value| (columns.iter().map(|key| cell(value, key)).collect(), false));
+/// The layouts side by side; the one with the fewest misses of the second cache stands out.
+fn sums(counts: &Report) -> Table {
+    let misses = |layout: &Layout| layout.total().misses[1];
+    let fewest = counts.layouts.iter().map(misses).min();
+    let row = |layout: &Layout| {
+        let shared = [layout.shared_lines().to_string()];
+        let cells = [format!("`{}`", layout.layout)].into_iter().chain(numbers(&layout.total())).chain(shared);
+        (cells.collect(), Some(misses(layout)) == fewest)
+    };
     Table {
-        caption: words(name),
-        headline: columns.iter().map(|key| words(key)).collect(),
-        words: of_words.max(1),
+        caption: "all loops together; the layout with the fewest misses of the second cache stands out".into(),
+        headline: ["layout"].into_iter().chain(COLUMNS).chain(["shared lines"]).map(String::from).collect(),
+        words: 1,
+        rows: counts.layouts.iter().map(row).collect(),
+    }
+}
+
+/// What each loop touches in a layout.
+fn loops(layout: &Layout) -> Table {
+    let rows = layout.loops.iter().map(|row| {
+        let times = if row.launches > 1 { format!(", {} times", row.launches) } else { String::new() };
+        let name = format!("`{}`, loop {}{times}", row.kernel, row.number + 1);
+        ([name].into_iter().chain(numbers(&row.total())).collect(), false)
+    });
+    Table {
+        caption: format!("`{}`: each parallel loop", layout.layout),
+        headline: ["loop"].into_iter().chain(COLUMNS).map(String::from).collect(),
+        words: 1,
         rows: rows.collect(),
     }
 }
 
-/// A value in a line.
-fn plain(value: &Value) -> String {
-    match value {
-        Value::String(text) => text.clone(),
-        Value::Null => "\u{2013}".into(),
-        other => other.to_string(),
-    }
-}
-
-/// A key as words.
-fn words(key: &str) -> String {
-    key.replace('_', " ")
-}
-
 #[cfg(test)]
 mod tests {
-    use serde_json::json;
-
     use super::*;
+    use crate::lab::counts::Loop;
 
     #[test]
-    fn any_value_is_shown() {
-        let counts = json!({
-            "unit": "bytes a step <all>",
-            "layouts": [{"bytes_read": 12, "layout": "aos"}, {"layout": "soa", "lines": 3}],
-            "notes": ["a", 1],
-        });
-        let html = shown(Html::default(), "counts", &counts);
+    fn layouts_stand_side_by_side_and_loop_by_loop() {
+        let layout = |name: &str, misses: u64| Layout {
+            layout: name.into(),
+            bytes: 1 << 20,
+            loops: vec![Loop {
+                kernel: "clear".into(),
+                number: 0,
+                launches: 2,
+                shared_lines: 3,
+                members: vec![Member {
+                    count: 100,
+                    bytes: 400,
+                    lines: 10,
+                    useful_bytes: 320,
+                    misses: [misses, misses],
+                    ..Member::default()
+                }],
+            }],
+        };
+        let counts = Report {
+            solver: "mpm".into(),
+            scene: "mpm88".into(),
+            steps: 1,
+            line: 64,
+            caches: [[32 << 10, 8], [2 << 20, 16]],
+            layouts: vec![layout("aos+row", 9), layout("soa+soa", 5)],
+        };
+        let html = shown(&counts, "allotrope count mpm");
         let text = html.text();
-        assert!(text.contains("<dt>unit</dt><dd>bytes a step &lt;all&gt;</dd>"), "{text}");
-        assert!(text.contains("<h3>layouts</h3>") && text.contains("<li>a</li>\n<li>1</li>"), "{text}");
         assert!(
-            text.contains("<th scope=\"col\">layout</th><th scope=\"col\" class=\"number\">bytes read</th>"),
+            text.contains("These are of one step") && text.contains("32 KiB of 8 ways before 2048 KiB of 16 ways"),
             "{text}"
         );
-        assert!(
-            text.contains("<th scope=\"row\">soa</th><td class=\"number\">\u{2013}</td><td class=\"number\">3</td>"),
-            "{text}"
-        );
-        let deep = json!([{"layout": "aos", "loops": [{"kernel": "p2g", "count": 9}]}]);
-        let deep = shown(Html::default(), "layouts", &deep);
-        assert!(deep.text().contains("<h3>layout <code>aos</code></h3>") && deep.text().contains("<h3>loops</h3>"));
-        assert!(deep.text().contains("<th scope=\"row\">p2g</th><td class=\"number\">9</td>"), "{deep:?}");
-        assert!(shown(Html::default(), "counts", &json!(7)).text().contains("<p>7</p>"));
+        assert!(text.contains("allotrope count mpm") && text.contains("<code>clear</code>, loop 1, 2 times"), "{text}");
+        assert!(text.contains("<td class=\"number\">32.0</td>"), "{text}");
+        let table = sums(&counts);
+        assert_eq!(table.rows.iter().map(|(_, stands_out)| *stands_out).collect::<Vec<_>>(), [false, true]);
     }
 }
