@@ -120,9 +120,12 @@ impl Trace {
         match self.regions.get(&region.start) {
             Some(&known) if self.told[known].bytes >= region.bytes => known,
             _ => {
-                let lines = region.bytes.div_ceil(LINE);
-                self.told.push(Told { field, first: self.next, bytes: region.bytes, touches: vec![0; lines] });
-                self.next += (region.bytes as u64).next_multiple_of(PAGE) + PAGE;
+                // Blocks of sparse fields lie side by side, as in the slabs that they come from; fields begin at pages.
+                let (lines, bytes) = (region.bytes.div_ceil(LINE), region.bytes as u64);
+                let unit = if bytes < PAGE { LINE as u64 } else { PAGE };
+                let first = self.next.next_multiple_of(unit);
+                self.told.push(Told { field, first, bytes: region.bytes, touches: vec![0; lines] });
+                self.next = first + bytes.next_multiple_of(unit);
                 self.regions.insert(region.start, self.told.len() - 1);
                 self.told.len() - 1
             }

@@ -21,7 +21,8 @@ pub(super) fn text(report: &Report) -> String {
         sums(report).text()
     );
     text.push_str(
-        "useful: bytes of each touched line that were touched at all; shared: lines that two threads would both write, each with half of a loop\n",
+        "each member is counted by itself, so that a line which holds two is two lines; useful: bytes of it that the member had touched\n\
+         shared: lines that two threads would both write, each with half of a loop\n",
     );
     if report.layouts.len() > IN_DETAIL {
         let _ = writeln!(text, "`--layouts {}` tells it member by member", report.layouts[0].layout);

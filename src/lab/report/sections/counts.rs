@@ -17,7 +17,7 @@ fn shown(counts: &Report, command: &str) -> Html {
     let html = Html::default()
         .paragraph(&format!(
             "Times differ from machine to machine; counts do not. These are of {steps} from the start of the scene, on one thread. All layouts make the same \
-             accesses, but spread them over more or fewer cache lines of {} bytes; of a line that is fetched, only the useful bytes are touched at all. Misses are \
+             accesses, but spread them over more or fewer cache lines of {} bytes. Each member is counted by itself: useful bytes are those of a line that the member has touched. Misses are \
              those of a model: {first} before {second}. Shared lines are those that two threads would both write, each with half of a loop.",
             counts.line
         ))
