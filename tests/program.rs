@@ -395,7 +395,7 @@ fn counts_are_those_of_the_kernels_in_every_layout() {
     assert!(pictures.contains(&"heat-aos+row-grid.png".into()) && pictures.len() == 6, "{pictures:?}");
     let again = succeeds(&[&["count", "mpm"][..], &size].concat());
     assert_eq!(again, text, "the same numbers each time");
-    let detail = succeeds(&["count", "springs", "--steps", "2"].map(|word| word));
+    let detail = succeeds(&["count", "springs", "--steps", "2"]);
     assert!(detail.starts_with("springs ") && detail.contains("what 2 steps"), "{detail}");
 }
 

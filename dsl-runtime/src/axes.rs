@@ -86,7 +86,8 @@ axes! {
 }
 
 /// Does something for each axis of `$x`, whose number is a constant there: whatever that decides is settled before the optimiser sees it, and there is no
-/// call to inline. For what is written out at every access of a kernel, which closures would make four times as long.
+/// call to inline. For what is written out at every access of a kernel, where closures are
+/// much to inline.
 macro_rules! for_axes {
     ($x:ty, $axis:ident => $what:expr) => {{
         {

@@ -7,7 +7,7 @@ use super::chart::{Bar, BarChart};
 use super::errors::LabError;
 use super::machine;
 use super::statistics::{median, quantile, spread};
-use super::table::{Table, four_digits};
+use super::table::{Table, four_digits, mebibytes};
 
 /// A repetition makes as many calls as take so long: then neither the clock nor a single interrupt counts.
 const REPETITION: Duration = Duration::from_millis(5);
@@ -141,7 +141,7 @@ impl Results {
                 four_digits(timing.median()),
                 format!("{:.1} %", 100.0 * spread(&timing.samples)),
                 four_digits(1e6 * timing.median() / self.elements as f64),
-                format!("{:.2}", timing.bytes as f64 / f64::from(1 << 20)),
+                mebibytes(timing.bytes as u64),
                 format!("{:.2}", self.ratio(timing)),
             ]);
         }

@@ -42,6 +42,11 @@ pub fn four_digits(value: f64) -> String {
     format!("{value:.*}", digits as usize)
 }
 
+/// Bytes in MiB.
+pub fn mebibytes(bytes: u64) -> String {
+    format!("{:.2}", bytes as f64 / f64::from(1 << 20))
+}
+
 /// A small difference by its size.
 pub fn error_digits(value: f64) -> String {
     if value == 0.0 { "0".into() } else { format!("{value:.1e}") }

@@ -236,6 +236,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
                 self.store(m).mark();
             }
         }
+        // A condition on the type first: what it leaves out is then not compiled at all.
         if const { Map::<R, L, X>::list().is_some() }
             && let Some(list) = const { Map::<R, L, X>::list() }
         {
@@ -402,9 +403,6 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
 
     /// The entries of the list at a block's place.
     pub(crate) fn list_len(&self, block: &Block) -> usize {
-        if const { Map::<R, L, X>::list().is_none() } {
-            return 0;
-        }
         let Some(list) = (const { Map::<R, L, X>::list() }) else { return 0 };
         Map::<R, L, X>::head::<false>(&self.geometry, self.store(0), block).map_or(0, |head| head.len(list.most))
     }

@@ -141,7 +141,7 @@ impl MemberCounts {
 /// How often each cache line of a field's memory was touched.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Heat {
-    /// The field's parameter of the kernel that touched it first.
+    /// The field's parameter of the kernel that touched it first. Fields that were first touched under one name follow one another.
     pub field: &'static str,
     /// Touches of each line of [`LINE`] bytes, in the order of memory; blocks of sparse fields in that in which they were first touched.
     pub touches: Vec<u32>,

@@ -3,7 +3,7 @@
 use super::report::Report;
 use crate::lab::machine;
 use crate::lab::scene::size;
-use crate::lab::table::{Table, error_digits, four_digits};
+use crate::lab::table::{Table, error_digits, four_digits, mebibytes};
 
 /// What the table tells beside the report.
 pub(in crate::lab) struct About {
@@ -56,7 +56,7 @@ pub(in crate::lab) fn text(report: &Report, about: &About) -> String {
         ];
         cells.extend(row.kernels.0.iter().map(|(_, time)| format!("{:.0} %", 100.0 * time / total)));
         cells.push(format!("{:.1}", row.ms_per_step * 1e6 / report.particles as f64));
-        cells.push(format!("{:.2}", row.bytes as f64 / f64::from(1 << 20)));
+        cells.push(mebibytes(row.bytes as u64));
         cells.push(error_digits(row.state_error));
         cells.push(format!("{:.2}", row.ms_per_step / best));
         table.row(cells);

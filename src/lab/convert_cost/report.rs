@@ -6,7 +6,7 @@ use crate::lab::bench::contender::Contender;
 use crate::lab::machine;
 use crate::lab::scene::size;
 use crate::lab::statistics::{median, median_interval, spread};
-use crate::lab::table::{Table, error_digits, four_digits, six_digits};
+use crate::lab::table::{Table, error_digits, four_digits, mebibytes, six_digits};
 
 /// What `--json` writes.
 #[derive(Debug, Deserialize, Serialize)]
@@ -119,7 +119,7 @@ pub(super) fn text(report: &Report, about: &About) -> String {
             four_digits(layout.ms_per_step),
             format!("{:.1} %", 100.0 * layout.spread),
             format!("{:.1}", layout.ms_per_step * 1e6 / report.particles as f64),
-            format!("{:.2}", layout.bytes as f64 / f64::from(1 << 20)),
+            mebibytes(layout.bytes as u64),
         ]);
     }
     format!(

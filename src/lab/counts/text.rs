@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::report::{Layout, Member, Report};
-use crate::lab::table::Table;
+use crate::lab::table::{Table, mebibytes};
 
 /// Layouts of which all members are told; of more, the sums are.
 const IN_DETAIL: usize = 2;
@@ -45,10 +45,6 @@ fn apart(count: u64) -> String {
         text.push(digit);
     }
     text
-}
-
-fn mebibytes(bytes: u64) -> String {
-    format!("{:.2}", bytes as f64 / f64::from(1 << 20))
 }
 
 /// What one line of counts tells of all that was touched.

@@ -155,12 +155,12 @@ impl Base {
     /// Whether an access that is a statement of the body accumulates at all offsets of the box: no branch stands before it, and the body is left by no
     /// jump.
     fn is_filled(&self, kernel: &Kernel, repeat: &Unroll) -> bool {
-        let statements = repeat.body.stmts.iter().filter_map(|statement| match statement {
+        let mut statements = repeat.body.stmts.iter().filter_map(|statement| match statement {
             Stmt::Expr(expr, _) => node_of(expr),
             _ => None,
         });
         let of_box = |offset: &Expr| fills(repeat, offset) && reach(repeat, offset) == Some(self.reach());
-        statements.into_iter().any(|node| {
+        statements.any(|node| {
             let offset = self.accesses.iter().find(|(access, _)| *access == node).map(|(_, offset)| offset);
             let Node::Access(access) = &kernel.nodes[node] else { return false };
             matches!(access.action, Action::Update { .. }) && offset.is_some_and(of_box)

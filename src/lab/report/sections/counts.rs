@@ -4,6 +4,7 @@ use super::super::html::Table;
 use super::{Findings, Html, Section};
 use crate::lab::counts::{Layout, Member, Report};
 use crate::lab::errors::LabError;
+use crate::lab::table::mebibytes;
 
 pub(super) fn section(findings: &Findings) -> Result<Option<Section>, LabError> {
     let Some(counts) = &findings.counts else { return Ok(None) };
@@ -41,10 +42,6 @@ fn numbers(sum: &Member) -> [String; 6] {
         first.to_string(),
         second.to_string(),
     ]
-}
-
-fn mebibytes(bytes: u64) -> String {
-    format!("{:.2}", bytes as f64 / f64::from(1 << 20))
 }
 
 /// The layouts side by side; the one with the fewest misses of the second cache stands out.

@@ -3,7 +3,7 @@
 use super::super::html::Table;
 use super::{Findings, Html, Section, code, listed};
 use crate::lab::errors::LabError;
-use crate::lab::table::{error_digits, four_digits};
+use crate::lab::table::{error_digits, four_digits, mebibytes};
 
 pub(super) fn section(findings: &Findings) -> Result<Option<Section>, LabError> {
     let Findings { ranking, about, report, solver, .. } = findings;
@@ -33,7 +33,7 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, LabError> 
             format!("{} to {}", four_digits(one.interval[0]), four_digits(one.interval[1])),
             format!("{:.1} %", 100.0 * one.spread),
             format!("{:.1}", one.ms * 1e6 / report.particles as f64),
-            format!("{:.2}", one.bytes as f64 / f64::from(1 << 20)),
+            mebibytes(one.bytes as u64),
             error_digits(one.state_error),
             format!("{} of {}", one.outliers, about.repetitions),
             format!("{:.2}", one.slowest),

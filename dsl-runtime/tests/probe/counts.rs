@@ -1,29 +1,9 @@
 //! Recordings of what loops touch, against counts worked out by hand.
-#![cfg(any(feature = "probe", debug_assertions))]
 
 use allotrope::prelude::*;
 use allotrope::probe::{Access, Cache, Caches, Index, LoopCounts, MemberCounts, RecordError, Recording, record};
 
-/// A node of a Jacobi iteration.
-#[derive(Record, Clone, Copy, Default)]
-struct Node {
-    u: f32,
-    v: f32,
-    rhs: f32,
-    mask: f32,
-}
-
-#[kernel]
-fn jacobi(nodes: &mut Field<Node, _, Ij>) {
-    for (i, j) in nodes.interior(1) {
-        nodes.v[(i, j)] = 0.25
-            * (nodes.u[(i - 1, j)]
-                + nodes.u[(i + 1, j)]
-                + nodes.u[(i, j - 1)]
-                + nodes.u[(i, j + 1)]
-                + nodes.rhs[(i, j)]);
-    }
-}
+use super::{Node, jacobi};
 
 #[derive(Record, Clone, Copy, Default)]
 struct Point {

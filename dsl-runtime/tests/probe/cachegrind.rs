@@ -1,11 +1,12 @@
 //! The modelled caches against those of `valgrind --tool=cachegrind`, where that is installed.
-#![cfg(any(feature = "probe", debug_assertions))]
 
 use std::path::Path;
 use std::process::Command;
 
 use allotrope::prelude::*;
 use allotrope::probe::{Cache, Caches, record};
+
+use super::{Node, jacobi};
 
 /// What both model.
 const CACHES: Caches =
@@ -15,27 +16,6 @@ const CACHES: Caches =
 fn saxpy(x: &Field<f32, _>, y: &mut Field<f32, _>) {
     for i in y {
         y[i] = 0.5 * x[i] + y[i];
-    }
-}
-
-/// A node of a Jacobi iteration.
-#[derive(Record, Clone, Copy, Default)]
-struct Node {
-    u: f32,
-    v: f32,
-    rhs: f32,
-    mask: f32,
-}
-
-#[kernel]
-fn jacobi(nodes: &mut Field<Node, _, Ij>) {
-    for (i, j) in nodes.interior(1) {
-        nodes.v[(i, j)] = 0.25
-            * (nodes.u[(i - 1, j)]
-                + nodes.u[(i + 1, j)]
-                + nodes.u[(i, j - 1)]
-                + nodes.u[(i, j + 1)]
-                + nodes.rhs[(i, j)]);
     }
 }
 
@@ -99,7 +79,8 @@ fn cachegrind(kernel: &str, times: usize, out: &Path) -> [f64; 2] {
         .arg(format!("--LL={}", cache(CACHES.second)))
         .arg(format!("--cachegrind-out-file={}", out.display()))
         .arg(std::env::current_exe().expect("this program"))
-        .args(["--exact", "child", "--test-threads=1"])
+        .args(["--exact", "cachegrind::child", "--test-threads=1"])
+        .env_remove("ALLOTROPE_CPU")
         .env("CACHEGRIND_TASK", format!("{kernel} {times}"))
         .output()
         .expect("valgrind");
