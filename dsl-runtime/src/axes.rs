@@ -116,6 +116,16 @@ pub(crate) fn per_axis<T>(value: impl Fn(usize) -> T) -> [T; MAX_AXES] {
     [value(0), value(1), value(2), value(3)]
 }
 
+/// Offsets along the axes that there are, and none along the others that there could be. Slices' own copies are calls where the optimiser has
+/// seen enough.
+#[inline(always)]
+pub(crate) fn padded<const N: usize>(offset: [i64; N]) -> [i64; MAX_AXES] {
+    per_axis(
+        #[inline(always)]
+        |a| if a < N { offset[a] } else { 0 },
+    )
+}
+
 /// Adds up one term an axis, unrolled: the rank is a constant.
 #[inline(always)]
 pub(crate) fn sum<X: Axes>(term: impl Fn(usize) -> usize) -> usize {

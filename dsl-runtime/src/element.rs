@@ -1,6 +1,6 @@
 //! What one member of a record may be: a fixed list of scalar components, so that a layout can take it apart.
 
-use core::mem::size_of;
+use core::mem::{MaybeUninit, size_of};
 
 mod sealed {
     pub trait Sealed {}
@@ -270,11 +270,16 @@ unsafe impl<T: Element, const N: usize> Element for [T; N] {
     const PACKED: bool = T::PACKED;
     #[inline(always)]
     unsafe fn gather(at: *const u8, component: usize) -> Self {
-        core::array::from_fn(
-            // SAFETY: element `n` begins `n * T::COMPONENTS` components in; the caller promises them all.
+        let mut all = [const { MaybeUninit::uninit() }; N];
+        times::<N>(
             #[inline(always)]
-            |n| unsafe { T::gather(at.add(n * T::COMPONENTS * component), component) },
-        )
+            |n| {
+                // SAFETY: element `n` begins `n * T::COMPONENTS` components in; the caller promises them all.
+                all[n].write(unsafe { T::gather(at.add(n * T::COMPONENTS * component), component) });
+            },
+        );
+        // SAFETY: every element has been written.
+        unsafe { all.as_ptr().cast::<Self>().read() }
     }
     #[inline(always)]
     unsafe fn scatter(self, at: *mut u8, component: usize) {
@@ -285,10 +290,12 @@ unsafe impl<T: Element, const N: usize> Element for [T; N] {
     }
     #[inline(always)]
     fn combine(a: Self, b: Self, f: impl Fn(T::Scalar, T::Scalar) -> T::Scalar) -> Self {
-        core::array::from_fn(
+        let mut all = a;
+        times::<N>(
             #[inline(always)]
-            |n| T::combine(a[n], b[n], &f),
-        )
+            |n| all[n] = T::combine(a[n], b[n], &f),
+        );
+        all
     }
     #[inline(always)]
     fn of_scalar(scalar: T::Scalar) -> Self {

@@ -6,7 +6,7 @@ use core::ops::Range;
 use super::run::{Mask, Run};
 use super::space::{Cells, Space};
 use crate::axes::{Axes, MAX_AXES, PerAxis, all, per_axis};
-use crate::layout::node::{Chained, nth_row, rows};
+use crate::layout::node::{Chained, rows};
 use crate::layout::{Layout, Map};
 use crate::record::{Path, Record};
 use crate::store::active::{ActiveBrick, ActiveList, next_bit};
@@ -29,9 +29,6 @@ pub(crate) fn prefetch(at: *const u8) {
     let _ = at;
 }
 
-/// The most rows of a block whose places are in a table.
-const TABLED: usize = 256;
-
 impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
     /// Cells that share one activity bit; 0 where a block is active as a whole.
     pub(super) const GRAIN: usize = match &<Self as Chained<X>>::CHAIN.tree {
@@ -41,45 +38,11 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
     const LIST: bool = matches!(&<Self as Chained<X>>::CHAIN.tree, Some(tree) if tree.list.is_some());
     const ROWS: usize = <Self as Chained<X>>::CHAIN.rows;
 
-    /// Where the first rows of a block begin: finding them by division takes longer than many a body.
-    const PLACES: &'static [[u16; MAX_AXES]; TABLED] = &{
-        let (mut places, mut r) = ([[0; MAX_AXES]; TABLED], 0);
-        while r < Self::ROWS && r < TABLED {
-            let place = nth_row::<X>(<Self as Chained<X>>::CHAIN, r);
-            let mut axis = 0;
-            while axis < MAX_AXES {
-                places[r][axis] = place[axis] as u16;
-                axis += 1;
-            }
-            r += 1;
-        }
-        places
-    };
-    /// Whether all rows are in that table.
-    const IS_TABLED: bool = {
-        let extent = <Self as Space>::EXTENT;
-        let long = (1 << 16) - 1;
-        Self::ROWS <= TABLED && extent[0] < long && extent[1] < long && extent[2] < long && extent[3] < long
-    };
-
     /// Cache lines a row of a block, all members counted; none where that is more than a loop might touch.
     const LINES: usize = {
         let lines = Map::<R, L, X>::block_bytes(P::OFFSET).div_ceil(LINE * Self::ROWS);
         if lines <= 2 { lines } else { 0 }
     };
-
-    /// Where a row of a block begins.
-    #[inline(always)]
-    pub(super) fn row_place(r: usize) -> PerAxis {
-        if const { Self::IS_TABLED } {
-            let place = Self::PLACES[r];
-            return per_axis(
-                #[inline(always)]
-                |a| place[a] as usize,
-            );
-        }
-        nth_row::<X>(<Self as Chained<X>>::CHAIN, r)
-    }
 
     /// Visits the runs of some of the work, which is counted in the elements of active blocks.
     #[inline(always)]
@@ -199,7 +162,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             if mask == 0 {
                 continue;
             }
-            let inner = Self::row_place(r);
+            let inner = <Self as Chained<X>>::row_place(r);
             if !inside {
                 let (first, end) = self.cut(block, inner);
                 mask &= if first < end { (u64::MAX >> (64 - (end - first))) << first } else { 0 };
@@ -250,7 +213,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
             if set == first_bit + row_bits {
                 continue;
             }
-            let inner = Self::row_place(r);
+            let inner = <Self as Chained<X>>::row_place(r);
             let (first, end) = if inside { (0, length) } else { self.cut(block, inner) };
             let at = self.start(block, inner);
             // One place that runs the body, for pieces of bits and for whole rows: a second one would be a second copy.

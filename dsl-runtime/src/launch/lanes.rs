@@ -44,7 +44,7 @@ impl<S: Space, const W: usize> Batch<'_, S, W> {
 }
 
 impl<S: Space> Run<'_, S> {
-    /// Calls `body` for batches of `W` elements, and for each element that is left over. `halo` is how far along each axis rows reach.
+    /// Calls `body` for batches of `W` elements, and for each element that is left over. `halo` is as for [`each`](Self::each).
     #[inline(always)]
     pub fn batches<const W: usize, const N: usize>(
         &self,

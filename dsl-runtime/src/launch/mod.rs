@@ -27,7 +27,7 @@ pub(crate) use bricks::prefetch;
 pub use lanes::{Batch, InLanes, Lane, Lanes, Mask, Part, Width, ends};
 pub use reduction::{Partial, Reduction, Strip, reduction};
 pub use run::{Cell, Run};
-pub(crate) use run::{copies_rows, stay_scalar};
+pub(crate) use run::{apart, copies_rows, stay_scalar};
 pub use sieve::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, sifted};
 pub use space::{Space, interior, of_branch, over, range};
 pub(crate) use space::{any_in_blocks, is_in_blocks};

@@ -69,6 +69,23 @@ const SHORT: usize = 32;
 /// A run so long fills a vector register; where shorter ones are cut into head, middle and tail nothing is lost.
 const VECTOR: usize = 4;
 
+/// Whole runs that are no longer are written out where rows of them are copied: a loop would be made one of vectors before the copies become
+/// registers, and vectors that are read from memory behind the single values they were written as wait for those.
+const WRITTEN_OUT: usize = 16;
+
+/// Does something for each slot of such a run.
+macro_rules! for_slots {
+    ($space:ty, $slot:ident => $what:expr) => {
+        for_slots!($space, $slot => $what; 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15)
+    };
+    ($space:ty, $slot:ident => $what:expr; $($n:literal)*) => {
+        $(if const { <$space>::RUN > $n } {
+            const $slot: usize = $n;
+            $what;
+        })*
+    };
+}
+
 /// Whether rows that lead into other blocks along the run's axis are copied, in loops over such a space: its cells then need not ask where
 /// they stand, and a whole run is one vector loop.
 pub(crate) const fn copies_rows<S: Space>() -> bool {
@@ -83,6 +100,26 @@ pub(crate) fn stay_scalar() {
     unsafe {
         core::arch::asm!("", options(nomem, nostack, preserves_flags));
     }
+}
+
+/// An address of which the compiler no longer knows how far it lies from others.
+#[inline(always)]
+#[cfg_attr(
+    all(target_arch = "x86_64", not(miri)),
+    expect(clippy::pointers_in_nomem_asm_block, reason = "what it points to is not looked at")
+)]
+pub(crate) fn apart(address: *mut u8) -> *mut u8 {
+    #[cfg(all(target_arch = "x86_64", not(miri)))]
+    {
+        let mut address = address;
+        // SAFETY: no instruction at all.
+        unsafe {
+            core::arch::asm!("/* {0} */", inout(reg) address, options(pure, nomem, nostack, preserves_flags));
+        }
+        address
+    }
+    #[cfg(not(all(target_arch = "x86_64", not(miri))))]
+    address
 }
 
 impl<S: Space> Run<'_, S> {
@@ -108,7 +145,7 @@ impl<S: Space> Run<'_, S> {
         }
     }
 
-    /// Calls `body` for each element. `halo` is how far along each axis rows reach.
+    /// Calls `body` for each element. `halo` is how far along each axis rows reach; no axes where they do not.
     #[inline(always)]
     pub fn each<const N: usize>(&self, halo: [u32; N], body: impl FnMut(Cell<'_, S>)) {
         self.each_as::<true, N>(halo, body);
@@ -140,7 +177,9 @@ impl<S: Space> Run<'_, S> {
             }
         } else if const { copies_rows::<S>() } {
             // Rows that lead into other blocks are copied, so that all cells are alike.
-            if const { LIGHT && S::SPARSE } && self.whole {
+            if const { LIGHT && !S::SPARSE && S::RUN <= WRITTEN_OUT && N > 0 } && self.whole {
+                for_slots!(S, SLOT => once(&mut body, self.cell(SLOT, true)));
+            } else if const { LIGHT && S::SPARSE } && self.whole {
                 for slot in 0..S::RUN {
                     once(&mut body, self.cell(slot, true));
                 }

@@ -1,6 +1,6 @@
 //! What stands above the blocks of a sparse layout: nodes whose cells point to others.
 
-use crate::axes::{Axes, MAX_AXES, PerAxis, sum};
+use crate::axes::{Axes, MAX_AXES, PerAxis, per_axis, sum};
 use crate::element::Sealed;
 use crate::layout::node::{Inner, nth_cell};
 use crate::store::Store;
@@ -122,6 +122,7 @@ unsafe impl<X: Axes> Levels<X> for Leaf {
         core::ptr::null_mut()
     }
 
+    #[inline]
     unsafe fn walk(node: *mut u8, block: Block, visit: &mut dyn FnMut(Brick)) {
         visit(Brick { start: node, block, entries: usize::MAX });
     }
@@ -146,9 +147,10 @@ pub(crate) fn cell_offset<C: Inner<X>, X: Axes>(block: &Block, below: &PerAxis, 
 }
 
 /// The first block of cell `n` of a node whose first block is `first`.
+#[inline]
 pub(crate) fn nth_block<C: Inner<X>, X: Axes>(first: &Block, below: &PerAxis, n: usize) -> Block {
     let at = nth_cell::<X>(C::DIGITS, C::EXTENT, C::CELLS, n);
-    core::array::from_fn(|a| if a < X::RANK { first[a] + (at[a] * below[a]) as u32 } else { 0 })
+    per_axis(|a| if a < X::RANK { first[a] + (at[a] * below[a]) as u32 } else { 0 })
 }
 
 /// A slot at an address.

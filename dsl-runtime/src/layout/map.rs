@@ -98,11 +98,13 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     }
 
     /// The branch that a member stands in.
+    #[inline(always)]
     pub(crate) const fn chain(m: usize) -> &'static Chain {
         if const { L::BRANCHES == 1 } || Self::here(m) { Self::CHAIN } else { Map::<R, L::Rest, X>::chain(m) }
     }
 
     /// The number of a member's branch.
+    #[inline(always)]
     pub(crate) const fn branch(m: usize) -> usize {
         if const { L::BRANCHES == 1 } || Self::here(m) { 0 } else { 1 + Map::<R, L::Rest, X>::branch(m) }
     }
@@ -136,6 +138,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     };
 
     /// That of a member's branch.
+    #[inline(always)]
     pub(crate) const fn fastest(m: usize) -> usize {
         if const { L::BRANCHES == 1 } || Self::here(m) { Self::FASTEST } else { Map::<R, L::Rest, X>::fastest(m) }
     }
@@ -191,16 +194,19 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     }
 
     /// Bytes of an innermost node of a member's branch (constant trees).
+    #[inline(always)]
     pub(crate) const fn leaf_bytes(m: usize) -> usize {
         if const { L::BRANCHES == 1 } || Self::here(m) { Self::LEAF_BYTES } else { Map::<R, L::Rest, X>::leaf_bytes(m) }
     }
 
     /// Where a member stands in its stream.
+    #[inline(always)]
     pub(crate) const fn seat(m: usize) -> Seat {
         Self::facts(m).seat
     }
 
     /// Whether every component of a member lies at a multiple of its size.
+    #[inline(always)]
     pub(crate) const fn aligned(m: usize) -> bool {
         if const { L::BRANCHES == 1 } || Self::here(m) {
             Self::STREAMS.aligned(m)
@@ -315,6 +321,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     }
 
     /// Bytes between the components of member `m` where they are a constant; else 0.
+    #[inline(always)]
     pub(crate) const fn constant_component(m: usize) -> usize {
         let (facts, flat) = (Self::facts(m), Self::chain(m).is_flat());
         if !facts.seat.split {

@@ -1,6 +1,6 @@
 //! What all structural nodes share: the chain below the root.
 
-use crate::axes::{Axes, MAX_AXES, PerAxis};
+use crate::axes::{Axes, MAX_AXES, PerAxis, per_axis};
 use crate::element::Sealed;
 use crate::layout::levels::ListSpec;
 use crate::layout::{Place, Spec};
@@ -215,9 +215,45 @@ pub(crate) const fn nth_cell<X: Axes>(digits: &[Digit], extent: PerAxis, cells: 
     at
 }
 
+/// The most rows of a block whose places are in a table.
+const TABLED: usize = 256;
+
 /// A chain that is known at compile time.
 pub(crate) trait Chained<X: Axes> {
     const CHAIN: &'static Chain;
+
+    /// Where the first rows of a block begin: finding them by division, or by bits in Z-order, takes longer than many a body.
+    const PLACES: &'static [[u16; MAX_AXES]; TABLED] = &{
+        let (mut places, mut r) = ([[0; MAX_AXES]; TABLED], 0);
+        while r < Self::CHAIN.rows && r < TABLED {
+            let place = nth_row::<X>(Self::CHAIN, r);
+            let mut axis = 0;
+            while axis < MAX_AXES {
+                places[r][axis] = place[axis] as u16;
+                axis += 1;
+            }
+            r += 1;
+        }
+        places
+    };
+    /// Whether all rows are in that table.
+    const IS_TABLED: bool = {
+        let (extent, long) = (Self::CHAIN.extent, (1 << 16) - 1);
+        Self::CHAIN.rows <= TABLED && extent[0] < long && extent[1] < long && extent[2] < long && extent[3] < long
+    };
+    /// Where a row of a block begins, looked up.
+    #[inline(always)]
+    fn row_place(r: usize) -> PerAxis {
+        if const { Self::IS_TABLED } {
+            let place = Self::PLACES[r];
+            per_axis(
+                #[inline(always)]
+                |a| place[a] as usize,
+            )
+        } else {
+            nth_row::<X>(Self::CHAIN, r)
+        }
+    }
 }
 
 /// Visits the beginnings of a block's runs in memory order. Few are written out, so that their places are constants.
@@ -234,7 +270,7 @@ pub(crate) fn rows<T: Chained<X>, X: Axes>(mut row: impl FnMut(PerAxis)) {
         written_out!(0 1 2 3 4 5 6 7);
     } else {
         for r in 0..const { T::CHAIN.rows } {
-            row(nth_row::<X>(T::CHAIN, r));
+            row(T::row_place(r));
         }
     }
 }

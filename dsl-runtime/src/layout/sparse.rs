@@ -235,7 +235,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// One of them, with its first block.
     #[inline]
     fn root(geometry: &Geometry, store: &Store, roots: &Roots, n: usize) -> (*mut u8, Block) {
-        let span = |at: Block| -> Block { core::array::from_fn(|a| at[a] * Self::SPAN[a] as u32) };
+        let span = |at: Block| -> Block { per_axis(|a| at[a] * Self::SPAN[a] as u32) };
         if const { Self::HASHED } {
             let Hashed { key, cell, .. } = roots.hashed[n];
             return (cell, span(key));
@@ -252,7 +252,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
     /// Coordinates in the order of the root's axes, the first most significant.
     fn ranked(key: Block) -> Block {
         let (axes, count) = super::order::<X>(L::CHAIN.root);
-        core::array::from_fn(|n| if n < count { key[axes[n]] } else { 0 })
+        per_axis(|n| if n < count { key[axes[n]] } else { 0 })
     }
 
     /// Gives back the blocks of the first branch that `keep` does not keep, and pointers to nothing.
@@ -260,7 +260,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         let bytes = <L::Levels as Levels<X>>::BYTES;
         if let Some(hash) = &store.hash {
             let mut kept = |key: Block, cell: *mut u8| {
-                let first = core::array::from_fn(|a| key[a] * Self::SPAN[a] as u32);
+                let first = per_axis(|a| key[a] * Self::SPAN[a] as u32);
                 // SAFETY: a cell of the store's root is a node of the uppermost level; `&mut` is exclusive.
                 let empty = unsafe { <L::Levels as Levels<X>>::sweep(cell, first, store, 0, keep) };
                 if empty {

@@ -47,7 +47,8 @@ struct Cell {
 #[inline(always)]
 fn mixed(key: &Key) -> usize {
     const FACTOR: u64 = 0x9e37_79b9_7f4a_7c15;
-    let [i, j, k, l] = key.map(u64::from);
+    let ([i, j, k, l], wide) = (*key, u64::from);
+    let (i, j, k, l) = (wide(i), wide(j), wide(k), wide(l));
     let mut mixed = (i ^ (j << 32)).wrapping_mul(FACTOR);
     mixed = (mixed ^ (mixed >> 29) ^ k ^ (l << 32)).wrapping_mul(FACTOR);
     (mixed ^ (mixed >> 32)) as usize

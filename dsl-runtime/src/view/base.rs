@@ -4,7 +4,7 @@ use core::cell::Cell;
 use core::marker::PhantomData;
 
 use super::Site;
-use crate::axes::{Axes, MAX_AXES, PerAxis, for_axes, per_axis};
+use crate::axes::{Axes, MAX_AXES, PerAxis, for_axes, padded, per_axis};
 use crate::field::Handle;
 use crate::index::inside;
 use crate::layout::{Block, Geometry, Layout};
@@ -175,12 +175,7 @@ impl<'b, L: Layout<X>, X: Axes, const FILLED: bool> Based<'b, L, X, FILLED> {
         high: [i64; N],
     ) -> Option<Self> {
         assert!(N == X::RANK);
-        let wide = |offsets: [i64; N]| {
-            let mut all = [0; MAX_AXES];
-            all[..N].copy_from_slice(&offsets);
-            all
-        };
-        Self::around(geometry, window, corners, base, wide(low), wide(high))
+        Self::around(geometry, window, corners, base, padded(low), padded(high))
     }
 
     /// The same with offsets for all axes that there could be.

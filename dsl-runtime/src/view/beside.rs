@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use super::Site;
 use super::lane::Lane;
-use crate::axes::{Axes, MAX_AXES, per_axis};
+use crate::axes::{Axes, MAX_AXES, padded, per_axis};
 use crate::field::Handle;
 use crate::index::{within, wrapped};
 use crate::launch::{Cell, TwoColours};
@@ -60,9 +60,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: TwoColours> Beside<'a,
             assert!(N == X::RANK, "an offset has as many places as the field has axes");
         }
         assert!(is_odd(&by), "an offset with an even sum leads to the loop's own colour");
-        let mut offset = [0; MAX_AXES];
-        offset[..N].copy_from_slice(&by);
-        Self { lane: Lane::new(handle, site), offset, space: PhantomData }
+        Self { lane: Lane::new(handle, site), offset: padded(by), space: PhantomData }
     }
 
     #[inline(always)]

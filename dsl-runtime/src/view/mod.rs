@@ -29,7 +29,7 @@ pub use together::Together;
 
 pub use free::OwnFree;
 
-use crate::axes::{Axes, MAX_AXES};
+use crate::axes::{Axes, MAX_AXES, padded};
 use crate::element::{Element, Packed};
 use crate::field::{Handle, Source, SourceMut, Spans};
 use crate::launch::{Border, Run, Space, Task, TwoColours};
@@ -201,9 +201,7 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
         _: H,
         copy: &'b Buffer<<P::Value as Record>::Elements>,
     ) -> Row<'a, 'b, R, L, X, P, S, H> {
-        let mut by = [0; MAX_AXES];
-        by[..N].copy_from_slice(&offset);
-        Row::new(self.handle, self.site, run, by, copy)
+        Row::new(self.handle, self.site, run, padded(offset), copy)
     }
 
     /// The field as one that a job may reach all of.

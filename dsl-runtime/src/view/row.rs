@@ -10,7 +10,9 @@ use crate::axes::{Axes, MAX_AXES, per_axis, sum};
 use crate::element::Kind as ScalarKind;
 use crate::field::Handle;
 use crate::index::inside;
-use crate::launch::{Cell as RunCell, Run, Space, any_in_blocks, copies_rows, is_in_blocks, prefetch, stay_scalar};
+use crate::launch::{
+    Cell as RunCell, Run, Space, any_in_blocks, apart, copies_rows, is_in_blocks, prefetch, stay_scalar,
+};
 use crate::layout::{Block, Chain, Geometry, Layout, Map};
 use crate::probe::{Access, Index};
 use crate::record::{ElementList, Path, Record};
@@ -287,11 +289,19 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
             own
         };
         // What lies in other blocks is a value or two at an end, if the run comes so far.
-        let wanted = |k: i64| run.mask.is_none_or(|mask| mask.has::<S>(k as usize));
-        for k in (first..own.start.min(end)).filter(|&k| wanted(k)) {
-            self.put(run, buffer, k, false);
+        for k in first..own.start.min(end) {
+            self.put_wanted(run, buffer, k);
         }
-        for k in (own.end.max(first)..end).filter(|&k| wanted(k)) {
+        for k in own.end.max(first)..end {
+            self.put_wanted(run, buffer, k);
+        }
+    }
+
+    /// Copies the value of element `k` of a run, if it is the loop's. No closure asks, as that of an iterator's filter: where the optimiser leaves one a
+    /// call, it no longer knows what it knew of the run.
+    #[inline(always)]
+    fn put_wanted(&self, run: &Run<'_, S>, buffer: &Buffer<List<R, P>>, k: i64) {
+        if run.mask.is_none_or(|mask| mask.has::<S>(k as usize)) {
             self.put(run, buffer, k, false);
         }
     }
@@ -308,6 +318,8 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
     fn value(&self, cell: &RunCell<'_, S>) -> List<R, P> {
         // SAFETY: `fits`, and the cell is one of the run's.
         let (address, component) = (unsafe { self.address(cell) }, self.component());
+        // The compiler would load what lies between a row and a value of another block too, and throw it away.
+        let address = if cell.inside { address } else { apart(address) };
         // SAFETY: as in `get`.
         unsafe {
             P::gather(

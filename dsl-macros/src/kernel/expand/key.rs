@@ -26,7 +26,7 @@ impl Launch<'_> {
         let wanted = |number: usize| key.reads.iter().any(|node| self.plan.view_of[node] == number);
         let (copies, hold, hide) = (self.copies(), captures::hold(self.parallel), self.hide_fields());
         let (any_views, (views, _, hoists)) = (self.any_views(&wanted), self.run_views(&wanted));
-        let halo = self.offset(self.plan.halo.as_deref().unwrap_or_default());
+        let halo = self.halo();
         let (variables, element) = (self.variables(), label("element"));
         let rewrite = Rewrite { kernel: self.kernel, scope: Scope::Parallel(self) };
         let steps = key.steps.iter().map(|step| match step {

@@ -305,6 +305,12 @@ impl Launch<'_> {
         quote!([#(#offset),*])
     }
 
+    /// How far along each axis rows reach; no axes where they do not, which the runtime knows by the type.
+    pub(super) fn halo(&self) -> TokenStream {
+        let halo = self.plan.halo.as_deref().unwrap_or_default();
+        if halo.iter().all(|&reach| reach == 0) { quote!([]) } else { self.offset(halo) }
+    }
+
     fn options(&self, number: usize) -> TokenStream {
         let private = private();
         let kernel = plain(&self.kernel.function.sig.ident);
@@ -439,7 +445,7 @@ impl Launch<'_> {
     fn run(&self, pieces: &reductions::Pieces) -> TokenStream {
         let (run, cell) = (hidden("run"), hidden("cell"));
         let (views, flushes, hoists) = self.run_views(&|_| true);
-        let halo = self.offset(self.plan.halo.as_deref().unwrap_or_default());
+        let halo = self.halo();
         let variables = self.variables();
         let rewrite = Rewrite { kernel: self.kernel, scope: Scope::Parallel(self) };
         let body = rewrite.block(&self.parallel.body);

@@ -78,7 +78,7 @@ fn saxpy(
                                 );
                             __run
                                 .each_or_all(
-                                    [0],
+                                    [],
                                     __v0_x.is_float() && __v1_y.is_float(),
                                     #[inline(always)]
                                     |__cell| {
@@ -337,7 +337,7 @@ fn scatter(
                                     );
                                 __run
                                     .each(
-                                        [0],
+                                        [],
                                         #[inline(always)]
                                         |__cell| {
                                             let p = __cell.index();
@@ -398,7 +398,7 @@ fn scatter(
                                 );
                             __run
                                 .each_of_pieces(
-                                    [0],
+                                    [],
                                     #[inline(always)]
                                     |__cell| {
                                         let p = __cell.index();
@@ -626,7 +626,7 @@ fn checked(u: &mut Field<f32, impl ::allotrope::Layout<::allotrope::I>>) {
                                     );
                                 __run
                                     .each(
-                                        [0],
+                                        [],
                                         #[inline(always)]
                                         |__cell| {
                                             let p = __cell.index();

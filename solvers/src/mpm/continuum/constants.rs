@@ -66,7 +66,7 @@ impl Constants {
     /// distance from the first of them in cells (Jiang et al. 2016, eq. 122 to 124).
     #[inline(always)]
     pub fn spline<X: Spatial>(&self, fx: X::Vec<f32>) -> [[X::Vec<f32>; 4]; 2] {
-        let [zero, one] = [0.0, 1.0].map(X::Vec::<f32>::splat);
+        let (zero, one) = (X::Vec::<f32>::splat(0.0), X::Vec::<f32>::splat(1.0));
         match self.width {
             2 => [[one - fx, fx, zero, zero], [-one, one, zero, zero]],
             3 => {

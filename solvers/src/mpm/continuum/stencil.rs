@@ -112,7 +112,7 @@ impl<X: Spatial> Stencil<X> {
     /// the constant, the place, and a square (Fu et al. 2017, section 4.2), at a node; and the sums of their squares.
     #[inline(always)]
     pub fn polynomials(&self, offset: X::Index) -> [[X::Vec<f32>; 3]; 2] {
-        let [one, quarter] = [1.0, 0.25].map(X::Vec::<f32>::splat);
+        let (one, quarter) = (X::Vec::<f32>::splat(1.0), X::Vec::<f32>::splat(0.25));
         let third = self.over_nodes(|weight, at| weight * at * at * at);
         let square = |at: X::Vec<f32>| at * at - third * 4.0 * at - quarter;
         let norm = self.over_nodes(|weight, at| weight * square(at) * square(at));
