@@ -57,7 +57,7 @@ const COMMAND_LINES: &[Case] = &[
     wrong("run mpm --tuned no/such.toml", "`no/such.toml` cannot be read: No such file or directory (os error 2)"),
     wrong(
         "bench mpm --sweep length",
-        "invalid value `length` for `--sweep <AXIS>` [possible values: size, particles-per-cell, threads, order]; `allotrope --help` tells \
+        "invalid value `length` for `--sweep <AXIS>` [possible values: size, particles-per-cell, sparsity, threads, order]; `allotrope --help` tells \
          what there is",
     ),
     wrong(
@@ -69,6 +69,14 @@ const COMMAND_LINES: &[Case] = &[
     wrong(
         "bench mpm --sweep particles-per-cell --points 4,-1",
         "point `-1` of `--sweep particles-per-cell` is no number above zero",
+    ),
+    wrong(
+        "bench mpm --sweep sparsity --points 2",
+        "point `2` of `--sweep sparsity` is no number above zero and at most 1",
+    ),
+    wrong(
+        "bench mpm --sweep sparsity --points 0.1,0.9",
+        "point `0.9` of `--sweep sparsity` cannot be: the scene fills 0.151 of its cells, and can be given more room alone",
     ),
     wrong(
         "bench mpm --sweep order --points often",

@@ -307,6 +307,12 @@ fn threads_and_orders_are_swept() {
         (300..380).contains(&counts[0]) && counts[1] == counts[0] && counts[2].abs_diff(4 * counts[0]) < 4,
         "{counts:?}"
     );
+    let parts = folder.path().join("parts");
+    assert!(sweep("sparsity", "0.05,0.1", &["--grid", "64", "--threads", "1"], &parts).status.success());
+    let domains: Vec<String> =
+        columns(&parts).iter().map(|line| line.split(' ').take(3).collect::<Vec<_>>().join(" ")).collect();
+    // The same particles, on 4 times as many cells where a quarter is filled.
+    assert_eq!(domains, ["0.05 8192 114x114", "0.05 8192 114x114", "0.1 8192 81x81", "0.1 8192 81x81"]);
     let orders = folder.path().join("orders");
     let done = sweep("order", "auto,0,4", &[&size[..], &["--threads", "1"]].concat(), &orders);
     let text = String::from_utf8(done.stdout).unwrap();
@@ -392,7 +398,19 @@ fn counts_are_those_of_the_kernels_in_every_layout() {
     };
     assert!(useful(split) > 60.0 && useful(rows) < 20.0, "{} and {}", useful(split), useful(rows));
     let pictures = names(&heat);
-    assert!(pictures.contains(&"heat-aos+row-grid.png".into()) && pictures.len() == 6, "{pictures:?}");
+    let both = ["heat-aos+row-grid.png", "heat-aos+row-grid.svg"].map(String::from);
+    assert!(both.iter().all(|name| pictures.contains(name)) && pictures.len() == 12, "{pictures:?}");
+    // 48 x 48 nodes of 12 bytes, of which the scatter touches those around particles.
+    let map = rows.heat.iter().find(|map| map.field == "grid").unwrap();
+    assert_eq!((map.lines, map.touches.len()), (48 * 48 * 12 / 64, 48 * 48 * 12 / 64));
+    let svg = std::fs::read_to_string(heat.join("heat-aos+row-grid.svg")).unwrap();
+    let hottest = map.touches.iter().max().unwrap();
+    assert!(
+        svg.contains(&format!(
+            "27648 bytes; a square is a cache line of 64 bytes; the hottest was touched {hottest} times"
+        )),
+        "{svg}"
+    );
     let again = succeeds(&[&["count", "mpm"][..], &size].concat());
     assert_eq!(again, text, "the same numbers each time");
     let detail = succeeds(&["count", "springs", "--steps", "2"]);

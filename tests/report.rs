@@ -189,7 +189,8 @@ fn a_page_about_a_fluid_on_a_grid() {
     let counts = folder.path().join("counts.json");
     let member = r#"{"field":"grid","member":"m","access":"read","index":"own","count":1234567,"bytes":4938268,"lines":77161,"useful_bytes":4938268,"misses":[77161,5]}"#;
     let row = format!(r#"{{"kernel":"update_grid","number":0,"launches":1,"shared_lines":0,"members":[{member}]}}"#);
-    let layouts = format!(r#"[{{"layout":"aos+row","bytes":1048576,"loops":[{row}]}}]"#);
+    let heat = r#"{"field":"grid","lines":5,"together":1,"touches":[0,1,20,300,1]}"#;
+    let layouts = format!(r#"[{{"layout":"aos+row","bytes":1048576,"loops":[{row}],"heat":[{heat}]}}]"#);
     let report_of = |scene: &str| {
         format!(
             r#"{{"solver":"mpm","scene":"{scene}","steps":1,"line":64,"caches":[[32768,8],[2097152,16]],"layouts":{layouts}}}"#

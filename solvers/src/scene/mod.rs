@@ -210,6 +210,16 @@ impl Scene {
         self.setup.clone().with_grid(self, nodes)
     }
 
+    /// The same scene in a domain of `nodes` nodes along the first axis, and in proportion along the others, whose cells and time step stay as they
+    /// are: what it holds stands in more room, or in less.
+    ///
+    /// # Errors
+    /// If an axis becomes too short for its walls, or the grid too large, or the solver has none. That bodies no longer lie within is told by
+    /// [`particles`](Self::particles).
+    pub fn with_room(self, nodes: usize) -> Result<Self, SceneError> {
+        self.setup.clone().with_room(self, nodes)
+    }
+
     /// The same scene with `count` particles, or about so many, as its setup can have them.
     ///
     /// # Errors

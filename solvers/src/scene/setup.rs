@@ -61,6 +61,14 @@ pub trait Setup: Any + Debug + Send + Sync {
         Err(cannot(&scene, format!("grid = {nodes}"), "has no grid"))
     }
 
+    /// The scene, which has this setup, in another domain of the same cells.
+    ///
+    /// # Errors
+    /// If it cannot be, or there is no grid.
+    fn with_room(&self, scene: Scene, nodes: usize) -> Result<Scene, SceneError> {
+        Err(cannot(&scene, format!("grid = {nodes}"), "has no grid"))
+    }
+
     /// The scene, which has this setup, with another number of particles.
     ///
     /// # Errors

@@ -79,6 +79,8 @@ impl BenchArguments {
         let SceneArguments { particles, threads, reorder, .. } = &self.what;
         let (option, twice) = match axis {
             Axis::Size | Axis::ParticlesPerCell => ("particles", particles.is_some()),
+            // The grid that the scene has tells how large cells are.
+            Axis::Sparsity => ("grid", false),
             Axis::Threads => ("threads", threads.is_some()),
             Axis::Order => ("reorder", reorder.is_some()),
         };

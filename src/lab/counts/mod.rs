@@ -12,6 +12,7 @@ use indicatif::ProgressBar;
 
 use super::errors::LabError;
 use super::output;
+pub use heat::HeatMap;
 pub use report::{Layout, Loop, Member, Report};
 
 /// What is to be counted.
@@ -48,10 +49,11 @@ pub fn count(plan: &Plan, json: Option<&Path>, out: Option<&Path>) -> Result<(),
     for &layout in &plan.layouts {
         bar.set_message(layout);
         let (bytes, recording) = record(plan, layout)?;
+        let counted = Layout::new(layout, bytes, &recording);
         if let Some(folder) = out {
-            heat::write(folder, layout, &recording)?;
+            heat::write(folder, &counted)?;
         }
-        report.layouts.push(Layout::new(layout, bytes, &recording));
+        report.layouts.push(counted);
         bar.inc(1);
     }
     bar.finish_and_clear();

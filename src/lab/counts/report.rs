@@ -3,7 +3,7 @@
 use allotrope::probe::{Cache, LINE, LoopCounts, MemberCounts, Recording};
 use serde::{Deserialize, Serialize};
 
-use super::Plan;
+use super::{HeatMap, Plan};
 
 /// What `--json` writes.
 #[derive(Clone, Debug, Deserialize, Serialize)]
@@ -31,6 +31,9 @@ pub struct Layout {
     pub bytes: usize,
     /// The loops, in the order in which they first ran.
     pub loops: Vec<Loop>,
+    /// How often the lines of each field were touched.
+    #[serde(default)]
+    pub heat: Vec<HeatMap>,
 }
 
 /// What a loop touched, summed over its launches.
@@ -88,7 +91,8 @@ impl Report {
 impl Layout {
     /// The counts of a layout.
     pub fn new(layout: &str, bytes: usize, recording: &Recording) -> Self {
-        Self { layout: layout.to_string(), bytes, loops: recording.loops.iter().map(Loop::new).collect() }
+        let loops = recording.loops.iter().map(Loop::new).collect();
+        Self { layout: layout.to_string(), bytes, loops, heat: recording.heat.iter().map(HeatMap::new).collect() }
     }
 
     /// The sum over all members of all loops.

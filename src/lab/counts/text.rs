@@ -112,6 +112,7 @@ mod tests {
         };
         let layout = |name: &str| Layout {
             layout: name.into(),
+            heat: Vec::new(),
             bytes: 1 << 20,
             loops: vec![Loop {
                 kernel: "clear".into(),

@@ -20,6 +20,8 @@ pub enum Axis {
     Size,
     /// Particles a cell, on the same grid
     ParticlesPerCell,
+    /// The part of a grid's cells that holds particles, in a domain that grows around them
+    Sparsity,
     /// The number of threads
     Threads,
     /// When particles are sorted: steps, 0 for never, or `auto`
@@ -34,10 +36,15 @@ pub(super) struct Start {
     dimensions: usize,
     /// Particles a cell, of the cells in which there are any.
     density: f64,
+    /// The part of the cells in which there are any.
+    filled: f64,
 }
 
 /// Particles a cell, if nothing else is asked for.
 const DENSITIES: [&str; 5] = ["1", "2", "4", "8", "16"];
+
+/// Parts of the cells that hold particles, if nothing else is asked for; those that the scene can have.
+const SPARSITIES: [f64; 6] = [0.3, 0.1, 0.03, 0.01, 0.003, 0.001];
 
 /// Steps after which particles are sorted, if nothing else is asked for.
 const ORDERS: [&str; 6] = ["0", "1", "8", "64", "512", "auto"];
@@ -56,7 +63,7 @@ impl Start {
         };
         let simulation = (solver.build)(scene, layout)?;
         let (nodes, dimensions) = (simulation.grid_shape().first().copied(), simulation.dimensions());
-        if axis == Axis::ParticlesPerCell && nodes.is_none() {
+        if matches!(axis, Axis::ParticlesPerCell | Axis::Sparsity) && nodes.is_none() {
             return Err(cannot(axis, solver.name, "has no grid"));
         }
         let cell = simulation.extent()[0] / nodes.unwrap_or(1) as f64;
@@ -64,7 +71,8 @@ impl Start {
         let cells: HashSet<_> =
             positions.iter().map(|x| x.map(|component| (component / cell).floor() as i64)).collect();
         let density = positions.len() as f64 / cells.len().max(1) as f64;
-        Ok(Self { particles: simulation.particles(), nodes, dimensions, density })
+        let filled = cells.len() as f64 / simulation.grid_shape().iter().map(|&nodes| nodes as f64).product::<f64>();
+        Ok(Self { particles: simulation.particles(), nodes, dimensions, density, filled })
     }
 
     /// What is compared at a point.
@@ -90,6 +98,18 @@ impl Start {
                 plan.scene =
                     plan.scene.with_particles((self.particles as f64 * wanted / self.density).round() as usize)?;
             }
+            Axis::Sparsity => {
+                let wanted: f64 = value.parse().map_err(|_| fault("is no part of the cells".into()))?;
+                if wanted > 1.1 * self.filled {
+                    let filled = three_digits(self.filled);
+                    return Err(fault(format!(
+                        "cannot be: the scene fills {filled} of its cells, and can be given more room alone"
+                    )));
+                }
+                let factor = (self.filled / wanted).powf(1.0 / self.dimensions as f64);
+                let nodes = self.nodes.unwrap_or(1) as f64;
+                plan.scene = plan.scene.with_room((nodes * factor.max(1.0)).round() as usize)?;
+            }
             Axis::Threads => plan.threads = Some(value.parse().map_err(|_| fault("is no number of threads".into()))?),
             Axis::Order => plan.scene = plan.scene.with_reorder(value.parse().map_err(fault)?)?,
         }
@@ -113,6 +133,11 @@ impl Axis {
                 counts.iter().map(usize::to_string).collect()
             }
             Self::ParticlesPerCell => DENSITIES.map(String::from).into(),
+            Self::Sparsity => {
+                let own = three_digits(start.filled);
+                let emptier = SPARSITIES.iter().filter(|&&part| part < 0.7 * start.filled).map(f64::to_string);
+                std::iter::once(own).chain(emptier.take(4)).collect()
+            }
             Self::Threads => {
                 let all = machine::threads(None);
                 let powers = std::iter::successors(Some(1), |threads| Some(2 * threads)).take_while(|&n| n < all);
@@ -139,6 +164,10 @@ impl Axis {
                 Ok(density) if density.is_finite() && density > 0.0 => Ok(()),
                 _ => Err(self.fault(value, "is no number above zero")),
             },
+            (Self::Sparsity, _) => match value.parse::<f64>() {
+                Ok(part) if part > 0.0 && part <= 1.0 => Ok(()),
+                _ => Err(self.fault(value, "is no number above zero and at most 1")),
+            },
             (Self::Order, _) => {
                 value.parse::<Reorder>().map(|_| ()).map_err(|why| self.fault(value, &format!("cannot be: {why}")))
             }
@@ -154,6 +183,7 @@ impl Axis {
         match self {
             Self::Size => "size",
             Self::ParticlesPerCell => "particles-per-cell",
+            Self::Sparsity => "sparsity",
             Self::Threads => "threads",
             Self::Order => "order",
         }
@@ -165,6 +195,7 @@ impl Axis {
             (Self::Size, _) => format!("{value} particles"),
             (Self::ParticlesPerCell, "1") => "1 particle a cell".into(),
             (Self::ParticlesPerCell, _) => format!("{value} particles a cell"),
+            (Self::Sparsity, _) => format!("{value} of the cells filled"),
             (Self::Threads, "1") => "1 thread".into(),
             (Self::Threads, _) => format!("{value} threads"),
             (Self::Order, "0") => "particles that are never sorted".into(),
@@ -179,6 +210,13 @@ impl Axis {
         let place = |value: &str| value.parse().unwrap_or(f64::INFINITY);
         place(a).total_cmp(&place(b))
     }
+}
+
+/// A part of one, in three digits.
+fn three_digits(part: f64) -> String {
+    let decimals = (2 - part.max(1e-9).log10().floor() as i32).max(0) as usize;
+    let text = format!("{part:.decimals$}");
+    text.trim_end_matches('0').trim_end_matches('.').to_string()
 }
 
 #[cfg(test)]
@@ -237,6 +275,17 @@ mod tests {
             assert!((least..most).contains(&simulation.particles()), "{value}: {}", simulation.particles());
             assert_eq!(simulation.grid_shape()[0], 128);
         }
+        assert_eq!(three_digits(start.filled), "0.151", "a box of 0.4 by 0.4, with few cells left out by chance");
+        assert_eq!(Axis::Sparsity.usual(&start), ["0.151", "0.1", "0.03", "0.01", "0.003"]);
+        for (value, nodes) in [("0.151", 128), ("0.03", 287), ("0.01", 497)] {
+            let scene = start.point(&plan, Axis::Sparsity, value).unwrap().scene;
+            let simulation = (solver.build)(&scene, "aos+row").unwrap();
+            assert_eq!((simulation.particles(), simulation.grid_shape()[0]), (8192, nodes), "{value}");
+            let cell = simulation.extent()[0] / nodes as f64;
+            assert!((cell - 1.0 / 128.0).abs() < 1e-12, "cells stay as large as they are: {cell}");
+        }
+        let error = start.point(&plan, Axis::Sparsity, "0.5").unwrap_err().to_string();
+        assert!(error.contains("fills 0.151 of its cells, and can be given more room alone"), "{error}");
         let error = start.point(&plan, Axis::Size, "99999999999").unwrap_err().to_string();
         assert!(error.contains("`grid = "), "{error}");
     }

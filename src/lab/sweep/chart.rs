@@ -16,6 +16,11 @@ pub(super) fn svg(record: &Record) -> Result<String, LabError> {
             let density = point.value.parse().unwrap_or(f64::NAN);
             [density, row.ms_per_step * 1e6 / point.report.particles as f64]
         }),
+        Axis::Sparsity => {
+            lines(record, "part of the cells that holds particles", "milliseconds a step", |point, row| {
+                [point.value.parse().unwrap_or(f64::NAN), row.ms_per_step]
+            })
+        }
         Axis::Threads => {
             lines(record, "threads", "milliseconds a step", |point, row| [point.report.threads as f64, row.ms_per_step])
         }

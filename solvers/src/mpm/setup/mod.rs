@@ -197,6 +197,10 @@ impl Setup for MpmSetup {
         sizes::with_grid(self.clone(), scene, nodes)
     }
 
+    fn with_room(&self, scene: Scene, nodes: usize) -> Result<Scene, SceneError> {
+        sizes::with_room(self.clone(), scene, nodes)
+    }
+
     fn with_particles(&self, scene: Scene, count: usize) -> Result<Scene, SceneError> {
         sizes::with_particles(self.clone(), scene, count)
     }

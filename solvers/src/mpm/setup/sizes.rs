@@ -29,6 +29,33 @@ pub(super) fn check_nodes(grid: [usize; 3], dimensions: usize, scheme: Scheme) -
 /// # Errors
 /// As [`Scene::with_grid`].
 pub(super) fn with_grid(mut setup: MpmSetup, mut scene: Scene, nodes: usize) -> Result<Scene, SceneError> {
+    let old = setup.grid[0];
+    let extents = resize(&mut setup, &scene, nodes)?;
+    let dt = scene.dt * (old as f64 / nodes as f64);
+    scene.rewrite(|table| {
+        table.insert("grid".into(), extents);
+        table.insert("dt".into(), dt.into());
+    });
+    Ok(Scene { dt, setup: Arc::new(setup), ..scene })
+}
+
+/// The scene, which has this setup, in another domain of the same cells.
+///
+/// # Errors
+/// As [`Scene::with_room`].
+pub(super) fn with_room(mut setup: MpmSetup, mut scene: Scene, nodes: usize) -> Result<Scene, SceneError> {
+    let old = setup.grid[0];
+    let extents = resize(&mut setup, &scene, nodes)?;
+    setup.length *= nodes as f64 / old as f64;
+    scene.rewrite(|table| {
+        table.insert("grid".into(), extents);
+        table.insert("length".into(), setup.length.into());
+    });
+    Ok(Scene { setup: Arc::new(setup), ..scene })
+}
+
+/// Gives a setup so many nodes along the first axis, and in proportion along the others; tells them as a scene does.
+fn resize(setup: &mut MpmSetup, scene: &Scene, nodes: usize) -> Result<Value, SceneError> {
     let (old, least, dimensions) = (setup.grid[0], 2 * setup.wall + 4, setup.dimensions);
     for extent in &mut setup.grid[..dimensions] {
         *extent = (*extent as f64 * nodes as f64 / old as f64).round() as usize;
@@ -42,13 +69,7 @@ pub(super) fn with_grid(mut setup: MpmSetup, mut scene: Scene, nodes: usize) -> 
     {
         return Err(scene.fault(key, fault));
     }
-    let extents: Vec<_> = setup.grid[..dimensions].iter().map(|&extent| Value::from(extent as i64)).collect();
-    let dt = scene.dt * (old as f64 / nodes as f64);
-    scene.rewrite(|table| {
-        table.insert("grid".into(), extents.into());
-        table.insert("dt".into(), dt.into());
-    });
-    Ok(Scene { dt, setup: Arc::new(setup), ..scene })
+    Ok(setup.grid[..dimensions].iter().map(|&extent| Value::from(extent as i64)).collect::<Vec<_>>().into())
 }
 
 /// The scene, which has this setup, with `count` particles: exactly so many where they are drawn at random, about so many

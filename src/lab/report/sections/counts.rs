@@ -1,9 +1,10 @@
 //! What a step touches in each layout, as `allotrope count` has told it.
 
-use super::super::html::Table;
+use super::super::html::{Table, inline, svg_part};
 use super::{Findings, Html, Section};
 use crate::lab::counts::{Layout, Member, Report};
 use crate::lab::errors::LabError;
+use crate::lab::map::escaped;
 use crate::lab::table::mebibytes;
 
 pub(super) fn section(findings: &Findings) -> Result<Option<Section>, LabError> {
@@ -24,10 +25,36 @@ fn shown(counts: &Report, command: &str) -> Html {
         ))
         .table(&sums(counts))
         .command("By a program that was built with `--features probe`, these counts are made by:", command);
-    counts
+    let html = counts
         .layouts
         .iter()
-        .fold(html, |html, layout| html.heading(&format!("`{}` loop by loop", layout.layout)).table(&loops(layout)))
+        .fold(html, |html, layout| html.heading(&format!("`{}` loop by loop", layout.layout)).table(&loops(layout)));
+    heat(counts).into_iter().fold(html, |html, (field, figures)| {
+        html.heading(&format!("How often the lines of `{field}` were touched"))
+            .markup(&format!("<div class=\"maps\" data-heat=\"{}\">\n{figures}</div>", escaped(field)))
+    })
+}
+
+/// The most rows of a map of heat.
+const ROWS: usize = 40;
+
+/// The maps of all layouts, field by field.
+fn heat(counts: &Report) -> Vec<(&str, String)> {
+    let mut fields: Vec<(&str, String)> = Vec::new();
+    for Layout { layout, heat, .. } in &counts.layouts {
+        for map in heat {
+            let caption = inline(&format!("in `{layout}`"));
+            let figure = format!(
+                "<figure><figcaption>{caption}</figcaption>{}</figure>\n",
+                svg_part(&map.coarser(ROWS).svg(&map.field), 0)
+            );
+            match fields.iter_mut().find(|(field, _)| *field == map.field) {
+                Some((_, figures)) => *figures += &figure,
+                None => fields.push((&map.field, figure)),
+            }
+        }
+    }
+    fields
 }
 
 const COLUMNS: [&str; 6] = ["accesses", "MiB", "cache lines", "useful bytes a line", "misses, first", "misses, second"];
@@ -79,7 +106,7 @@ fn loops(layout: &Layout) -> Table {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lab::counts::Loop;
+    use crate::lab::counts::{HeatMap, Loop};
 
     #[test]
     fn layouts_stand_side_by_side_and_loop_by_loop() {
@@ -100,6 +127,7 @@ mod tests {
                     ..Member::default()
                 }],
             }],
+            heat: vec![HeatMap { field: "grid".into(), lines: 3, together: 1, touches: vec![4, 0, 9] }],
         };
         let counts = Report {
             solver: "mpm".into(),
@@ -117,6 +145,10 @@ mod tests {
         );
         assert!(text.contains("allotrope count mpm") && text.contains("<code>clear</code>, loop 1, 2 times"), "{text}");
         assert!(text.contains("<td class=\"number\">32.0</td>"), "{text}");
+        let maps = text.split_once("<div class=\"maps\" data-heat=\"grid\">").expect("maps of heat").1;
+        assert!(
+            maps.matches("the hottest was touched 9 times").count() == 2 && maps.contains("in <code>soa+soa</code>")
+        );
         let table = sums(&counts);
         assert_eq!(table.rows.iter().map(|(_, stands_out)| *stands_out).collect::<Vec<_>>(), [false, true]);
     }
