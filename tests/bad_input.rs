@@ -76,7 +76,7 @@ const COMMAND_LINES: &[Case] = &[
     ),
     wrong(
         "bench mpm --sweep sparsity --points 0.1,0.9",
-        "point `0.9` of `--sweep sparsity` cannot be: the scene fills 0.151 of its cells, and can be given more room alone",
+        "point `0.9` of `--sweep sparsity` cannot be: the scene fills 0.156 of its cells, and can be given more room alone",
     ),
     wrong(
         "bench mpm --sweep order --points often",

@@ -138,7 +138,7 @@ fn layouts_of_one_kernel_count_every_photon() {
 #[test]
 fn layouts_of_one_kernel_draws_a_bar_for_each() {
     let folder = tempfile::tempdir().expect("a folder for the chart");
-    let results = layouts_of_one_kernel::compare(4096, 2);
+    let results = layouts_of_one_kernel::compare(4096, 2).expect("all layouts see the same");
     assert_eq!(results.timings.len(), 7);
     assert!(results.timings.iter().all(|timing| timing.samples.len() == 2 && timing.median() > 0.0));
     assert_eq!(results.table().lines().count(), 3 + 1 + 7);

@@ -9,6 +9,7 @@ pub mod convert_cost;
 pub mod counts;
 pub mod errors;
 pub mod export;
+pub mod hardware;
 pub mod list;
 pub mod machine;
 pub mod map;

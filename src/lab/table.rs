@@ -18,6 +18,12 @@ impl Table {
         self.rows.push(cells.into_iter().map(Into::into).collect());
     }
 
+    /// The headline, and the other rows.
+    pub fn into_parts(mut self) -> (Vec<String>, Vec<Vec<String>>) {
+        let rows = self.rows.split_off(1);
+        (self.rows.remove(0), rows)
+    }
+
     /// The table's lines, each ended.
     pub fn text(&self) -> String {
         let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0);

@@ -432,6 +432,7 @@ fn bench_plan(scene: Scene) -> bench::Plan {
         schedules: vec![NamedSchedule::find("auto").unwrap()],
         threads: Some(1),
         steps: Some(22),
+        hardware: false,
     }
 }
 

@@ -6,6 +6,7 @@ use allotrope::Schedule;
 use allotrope_solvers::{Scene, Simulation, SolverInfo};
 
 use crate::lab::errors::LabError;
+use crate::lab::hardware::{Counted, Counters};
 use crate::lab::machine::NamedSchedule;
 
 /// A layout with a schedule, while it runs.
@@ -22,6 +23,9 @@ pub(in crate::lab) struct Contender {
     taken: u64,
     /// The time that sorting took in them: sorts are rare, so that it is spread over all.
     sorting: Duration,
+    /// What processor and system counted in all repetitions, if they were asked.
+    counted: Option<Counted>,
+    repeated: u64,
 }
 
 /// The part of a step that most steps do not have.
@@ -49,6 +53,8 @@ impl Contender {
             simulation,
             taken: 0,
             sorting: Duration::ZERO,
+            counted: None,
+            repeated: 0,
         })
     }
 
@@ -74,14 +80,30 @@ impl Contender {
         Ok(time + (self.sorting - before))
     }
 
+    /// What processor and system counted a step.
+    pub(in crate::lab) fn counted(&self) -> Vec<(String, f64)> {
+        self.counted.as_ref().map_or_else(Vec::new, |counted| counted.per(self.repeated))
+    }
+
     /// Milliseconds of sorting a step.
     pub(in crate::lab) fn sorting(&self) -> f64 {
         self.sorting.as_secs_f64() * 1e3 / self.taken.max(1) as f64
     }
 
-    /// Takes some steps as one repetition.
-    pub(in crate::lab) fn repeat(&mut self, steps: u64) -> Result<(), LabError> {
-        let (time, spent) = self.advance(steps)?;
+    /// Takes some steps as one repetition, in which counters count.
+    pub(in crate::lab) fn repeat(&mut self, steps: u64, counters: Option<&mut Counters>) -> Result<(), LabError> {
+        let (time, spent) = match counters {
+            None => self.advance(steps)?,
+            Some(counters) => {
+                let (done, counted) = counters.count(|| self.advance(steps));
+                match &mut self.counted {
+                    Some(all) => all.add(&counted),
+                    none => *none = Some(counted),
+                }
+                done?
+            }
+        };
+        self.repeated += steps;
         let each = |time: Duration| time.as_secs_f64() * 1e3 / steps as f64;
         self.samples.push(each(time));
         for (samples, time) in self.kernels.iter_mut().zip(spent) {

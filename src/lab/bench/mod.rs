@@ -12,12 +12,13 @@ use allotrope_solvers::{Scene, SolverInfo};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::errors::LabError;
+use super::hardware::Counters;
 use super::machine::{self, NamedSchedule};
 use super::output;
 use super::statistics::{median, spread};
 use super::table::six_digits;
 use contender::{Contender, SORT, difference, verify};
-pub use report::{Kernels, Report, Row};
+pub use report::{Named, Report, Row};
 use text::{About, text};
 
 /// Repetitions, if there are steps enough.
@@ -43,6 +44,8 @@ pub struct Plan {
     pub threads: Option<usize>,
     /// Timed steps of each row, if so many are asked for.
     pub steps: Option<u64>,
+    /// Whether processor and system count too, where they can.
+    pub hardware: bool,
 }
 
 /// Runs the plan, prints a table, and writes the report where one is wanted.
@@ -70,6 +73,8 @@ pub(super) struct Compared {
 
 /// Checks that all contenders come to the same state, and times them for about so many seconds, if no steps are asked for.
 pub(super) fn compare(plan: &Plan, seconds: f64) -> Result<Compared, LabError> {
+    // Before any loop runs on several threads.
+    let mut counters = plan.hardware.then(Counters::open);
     let mut contenders = Vec::new();
     for &layout in &plan.layouts {
         for &named in &plan.schedules {
@@ -97,14 +102,15 @@ pub(super) fn compare(plan: &Plan, seconds: f64) -> Result<Compared, LabError> {
         let first = repetition % contenders.len();
         for n in 0..contenders.len() {
             let next = (first + n) % contenders.len();
-            contenders[next].repeat(piece)?;
+            contenders[next].repeat(piece, counters.as_mut())?;
         }
         bar.inc(1);
     }
     bar.finish_and_clear();
 
     let time = contenders[0].simulation.time();
-    let about = About { verified, agreement, repetitions, steps, time, left_out: left_out(plan) };
+    let refused = counters.and_then(|counters| counters.refused());
+    let about = About { verified, agreement, repetitions, steps, time, left_out: left_out(plan), refused };
     Ok(Compared { contenders, about })
 }
 
@@ -148,9 +154,10 @@ fn row(contender: &Contender, reference: &[[f64; 3]]) -> Row {
         schedule: named.name.to_string(),
         ms_per_step: six_digits(median(samples) + contender.sorting()),
         spread: six_digits(spread(samples)),
-        kernels: Kernels(names.zip(times).collect()),
+        kernels: Named(names.zip(times).collect()),
         bytes: simulation.bytes(),
         state_error: six_digits(difference(reference, &simulation.positions()).0),
+        counted: Named(contender.counted().into_iter().map(|(name, count)| (name, six_digits(count))).collect()),
     }
 }
 

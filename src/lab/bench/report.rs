@@ -34,29 +34,44 @@ pub struct Row {
     /// Interquartile range of the time a step over its median.
     pub spread: f64,
     /// Median time a step in each kernel.
-    pub kernels: Kernels,
+    pub kernels: Named,
     /// Bytes of all fields.
     pub bytes: usize,
     /// Largest difference of a position from the first row's after the run, in metres along an axis.
     pub state_error: f64,
+    /// What processor and system counted a step, on all threads; empty where they were not asked, or refused.
+    #[serde(default, skip_serializing_if = "Named::is_empty")]
+    pub counted: Named,
 }
 
-/// Times by the name of the kernel, in the order of a step.
-#[derive(Clone, Debug, Deserialize)]
+/// Numbers by name, in an order of their own: kernels in that of a step.
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(from = "std::collections::BTreeMap<String, f64>")]
-pub struct Kernels(pub Vec<(String, f64)>);
+pub struct Named(pub Vec<(String, f64)>);
 
-impl From<std::collections::BTreeMap<String, f64>> for Kernels {
-    fn from(times: std::collections::BTreeMap<String, f64>) -> Self {
-        Self(times.into_iter().collect())
+impl Named {
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// That of a name.
+    pub fn get(&self, name: &str) -> Option<f64> {
+        self.0.iter().find(|(known, _)| known == name).map(|(_, number)| *number)
     }
 }
 
-impl Serialize for Kernels {
+impl From<std::collections::BTreeMap<String, f64>> for Named {
+    fn from(numbers: std::collections::BTreeMap<String, f64>) -> Self {
+        Self(numbers.into_iter().collect())
+    }
+}
+
+impl Serialize for Named {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(self.0.len()))?;
-        for (name, time) in &self.0 {
-            map.serialize_entry(name, time)?;
+        for (name, number) in &self.0 {
+            map.serialize_entry(name, number)?;
         }
         map.end()
     }
@@ -68,7 +83,7 @@ mod tests {
 
     #[test]
     fn the_report_is_one_line_with_kernels_in_order() {
-        let kernels = Kernels(vec![("scatter".into(), 0.12), ("grid".into(), 0.03), ("gather".into(), 0.15)]);
+        let kernels = Named(vec![("scatter".into(), 0.12), ("grid".into(), 0.03), ("gather".into(), 0.15)]);
         assert_eq!(serde_json::to_string(&kernels).unwrap(), r#"{"scatter":0.12,"grid":0.03,"gather":0.15}"#);
     }
 }

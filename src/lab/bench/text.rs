@@ -1,6 +1,7 @@
 //! The report as people read it.
 
-use super::report::Report;
+use super::report::{Report, Row};
+use crate::lab::hardware::{Event, short};
 use crate::lab::machine;
 use crate::lab::scene::size;
 use crate::lab::table::{Table, error_digits, four_digits, mebibytes};
@@ -14,6 +15,8 @@ pub(in crate::lab) struct About {
     pub(in crate::lab) time: f64,
     /// The layouts that the scene does not fit, and why, where all others are compared.
     pub(in crate::lab) left_out: Vec<(&'static str, &'static str)>,
+    /// What processor and system were asked to count and did not, and why.
+    pub(in crate::lab) refused: Option<String>,
 }
 
 /// Machine and scene, what was checked, and the table.
@@ -62,16 +65,44 @@ pub(in crate::lab) fn text(report: &Report, about: &About) -> String {
         table.row(cells);
     }
     text += &table.text();
+    if report.rows.iter().any(|row| !row.counted.is_empty()) {
+        text += &format!("\na step on all threads, as processor and system counted it:\n\n{}", counted(report).text());
+    }
+    if let Some(refused) = &about.refused {
+        text += &format!("\n{refused}\n");
+    }
     if !about.left_out.is_empty() {
         text.push('\n');
     }
     about.left_out.iter().fold(text, |text, (layout, why)| text + &format!("left out: {layout}; {why}\n"))
 }
 
+/// What was counted, a column an event; and instructions a cycle where both are known.
+pub(in crate::lab) fn counted(report: &Report) -> Table {
+    let known = |event: &Event| report.rows.iter().any(|row| row.counted.get(event.name()).is_some());
+    let events: Vec<Event> = Event::ALL.into_iter().filter(known).collect();
+    let rate = |row: &Row| {
+        Some(row.counted.get(Event::Instructions.name())? / row.counted.get(Event::Cycles.name())?.max(1.0))
+    };
+    let has_rate = report.rows.iter().any(|row| rate(row).is_some());
+    let names = events.iter().map(|event| event.name());
+    let mut table = Table::new(
+        ["layout", "schedule"].into_iter().chain(names).chain(has_rate.then_some("instructions a cycle")),
+        2,
+    );
+    for row in &report.rows {
+        let cell = |event: &Event| row.counted.get(event.name()).map_or_else(|| "-".to_string(), short);
+        let rate = has_rate.then(|| rate(row).map_or_else(|| "-".to_string(), |rate| format!("{rate:.2}")));
+        let words = [row.layout.clone(), row.schedule.clone()];
+        table.row(words.into_iter().chain(events.iter().map(cell)).chain(rate));
+    }
+    table
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lab::bench::{Kernels, Row};
+    use crate::lab::bench::Named;
 
     fn report(grid: Vec<usize>) -> Report {
         let row = Row {
@@ -79,9 +110,10 @@ mod tests {
             schedule: "auto".into(),
             ms_per_step: 0.5,
             spread: 0.01,
-            kernels: Kernels(vec![("forces".into(), 0.3), ("update".into(), 0.1)]),
+            kernels: Named(vec![("forces".into(), 0.3), ("update".into(), 0.1)]),
             bytes: 1 << 20,
             state_error: 0.0,
+            counted: Named::default(),
         };
         let isa = "baseline".into();
         Report { solver: "net".into(), scene: "cloth".into(), particles: 1000, grid, threads: 1, isa, rows: vec![row] }
@@ -89,10 +121,40 @@ mod tests {
 
     #[test]
     fn nodes_are_told_where_there_is_a_grid() {
-        let about = About { verified: 10, agreement: 0.0, repetitions: 2, steps: 20, time: 0.1, left_out: Vec::new() };
+        let about = About {
+            verified: 10,
+            agreement: 0.0,
+            repetitions: 2,
+            steps: 20,
+            time: 0.1,
+            left_out: Vec::new(),
+            refused: None,
+        };
         let first = |grid| text(&report(grid), &about).lines().next().unwrap_or_default().to_string();
         assert_eq!(first(vec![]), "net cloth: 1000 particles");
         assert_eq!(first(vec![8, 4]), "net cloth: 1000 particles, 8 x 4 nodes");
         assert!(text(&report(vec![]), &about).contains("75 %    25 %"), "shares of kernels");
+    }
+
+    #[test]
+    fn what_was_counted_stands_in_a_table_of_its_own() {
+        let about = About {
+            verified: 10,
+            agreement: 0.0,
+            repetitions: 2,
+            steps: 20,
+            time: 0.1,
+            left_out: Vec::new(),
+            refused: Some("not counted: page faults (not permitted)".into()),
+        };
+        let mut report = report(vec![]);
+        assert!(!text(&report, &about).contains("as processor and system counted it"));
+        report.rows[0].counted = Named(vec![("cycles".into(), 2e6), ("instructions".into(), 5e6)]);
+        let text = text(&report, &about);
+        let table = text.split_once("as processor and system counted it:\n\n").expect("a table").1;
+        let cells: Vec<&str> =
+            table.lines().nth(1).expect("a row").split("  ").map(str::trim).filter(|cell| !cell.is_empty()).collect();
+        assert_eq!(cells, ["flat", "auto", "2.000 M", "5.000 M", "2.50"], "{table}");
+        assert!(text.ends_with("\nnot counted: page faults (not permitted)\n"), "{text}");
     }
 }

@@ -31,6 +31,9 @@ pub struct BenchArguments {
     /// Writes the results to a file too, as one line of JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// Lets processor and system count too: cycles, instructions, misses; where they refuse, says so
+    #[arg(long, conflicts_with = "sweep")]
+    hardware: bool,
     /// Compares at many points, along one axis
     #[arg(long, value_enum, value_name = "AXIS", conflicts_with = "json")]
     sweep: Option<Axis>,
@@ -67,8 +70,16 @@ impl BenchArguments {
             return Err(LabError::usage("`--layouts` and `--schedules` each want at least one name"));
         }
         let name = self.what.name(solver).to_string();
-        let plan =
-            bench::Plan { solver, name, scene, layouts, schedules, threads: self.what.threads, steps: self.what.steps };
+        let plan = bench::Plan {
+            solver,
+            name,
+            scene,
+            layouts,
+            schedules,
+            threads: self.what.threads,
+            steps: self.what.steps,
+            hardware: self.hardware,
+        };
         match self.sweep {
             Some(axis) => self.sweep(axis, plan),
             None => bench::bench(&plan, self.json.as_deref()),

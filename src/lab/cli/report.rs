@@ -59,7 +59,7 @@ impl ReportArguments {
         let counts = file.map(|file| counts(file, solver.name, self.what.name(solver))).transpose()?;
         let (name, command, words) = (self.what.name(solver).to_string(), self.command(), self.what.words());
         let SceneArguments { threads, steps, .. } = self.what;
-        let bench = bench::Plan { solver, name, scene, layouts, schedules, threads, steps };
+        let bench = bench::Plan { solver, name, scene, layouts, schedules, threads, steps, hardware: true };
         let Self { budget, sweep, out, .. } = self;
         report(&Plan { bench, scene: words, command, budget, sweep, counts, out })
     }

@@ -34,6 +34,9 @@ pub struct SearchArguments {
     /// When particles are sorted, with commas between: numbers of steps, 0 for never, `auto`; of solvers that sort [default: 0,16,64,auto]
     #[arg(long, value_name = "A,B")]
     intervals: Option<String>,
+    /// Lets all candidates run to the end instead of dropping the slower half after each round
+    #[arg(long)]
+    exhaustive: bool,
     /// Writes the best to a file, which `run` and `bench` take by `--tuned`
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -71,7 +74,8 @@ impl SearchArguments {
         }
         let name = self.what.name(solver).to_string();
         let budget = Duration::from_secs_f64(self.budget);
-        let plan = search::Plan { solver, name, scene, layouts, schedules, reorders, threads, budget };
+        let exhaustive = self.exhaustive;
+        let plan = search::Plan { solver, name, scene, layouts, schedules, reorders, threads, budget, exhaustive };
         search::search(&plan, self.out.as_deref())
     }
 

@@ -77,8 +77,8 @@ fn measure(plan: &Plan) -> Result<(Report, About), LabError> {
             times.push(time);
         }
         let first = repetition % 2;
-        both[first].repeat(piece)?;
-        both[1 - first].repeat(piece)?;
+        both[first].repeat(piece, None)?;
+        both[1 - first].repeat(piece, None)?;
         bar.inc(1);
     }
     bar.finish_and_clear();

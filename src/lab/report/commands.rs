@@ -45,6 +45,11 @@ impl Commands {
         self.line(&self.compared(&["--steps".into(), steps.to_string()]))
     }
 
+    /// The same, in which processor and system count.
+    pub(in crate::lab) fn bench_hardware(&self) -> String {
+        self.line(&self.compared(&["--hardware".into()]))
+    }
+
     /// The same at some sizes.
     pub(in crate::lab) fn sweep(&self, points: &[String], steps: u64) -> String {
         let words = ["--steps", &steps.to_string(), "--sweep", "size", "--points", &points.join(","), "--out", "sizes"];
@@ -109,6 +114,7 @@ mod tests {
         let wanted =
             format!("allotrope run mpm {scene} --layout soa+soa --schedule auto --threads 2 --steps 9 --frames 1");
         assert_eq!(commands.run("soa+soa", "auto", 9), wanted);
+        assert!(commands.bench_hardware().ends_with(" --threads 2 --hardware"));
         let points = ["512", "2048"].map(String::from);
         assert!(commands.sweep(&points, 11).ends_with(" --steps 11 --sweep size --points 512,2048 --out sizes"));
     }

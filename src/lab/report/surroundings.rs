@@ -35,6 +35,7 @@ impl Surroundings {
         let checks =
             if cfg!(debug_assertions) { ", built with checks: times are not those of a release build" } else { "" };
         fact("Program", Some(format!("Allotrope {}{checks}", env!("CARGO_PKG_VERSION"))));
+        fact("Compiler", Some(env!("ALLOTROPE_COMPILER").to_string()));
         Self { facts, load, is_virtual }
     }
 }
@@ -70,8 +71,16 @@ mod tests {
     fn date_processor_and_program_are_told() {
         let here = Surroundings::here();
         let names: Vec<&str> = here.facts.iter().map(|(name, _)| &**name).collect();
-        assert!(["Date", "Processor", "System", "Program"].iter().all(|name| names.contains(name)), "{names:?}");
+        assert!(
+            ["Date", "Processor", "System", "Program", "Compiler"].iter().all(|name| names.contains(name)),
+            "{names:?}"
+        );
         assert!(here.facts.iter().all(|(_, value)| !value.is_empty()));
+        assert!(
+            here.facts.iter().any(|(name, value)| name == "Compiler" && value.starts_with("rustc 1.")),
+            "{:?}",
+            here.facts
+        );
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! What tests of several parts share.
 
-use crate::lab::bench::{Kernels, Report, Row};
+use crate::lab::bench::{Named, Report, Row};
 
 /// A row of a comparison, whose two kernels take three quarters and a quarter of a step.
 pub(super) fn row(layout: &str, ms: f64) -> Row {
@@ -9,9 +9,10 @@ pub(super) fn row(layout: &str, ms: f64) -> Row {
         schedule: "auto".into(),
         ms_per_step: ms,
         spread: 0.01,
-        kernels: Kernels(vec![("scatter".into(), 0.75 * ms), ("grid".into(), 0.25 * ms)]),
+        kernels: Named(vec![("scatter".into(), 0.75 * ms), ("grid".into(), 0.25 * ms)]),
         bytes: 1 << 20,
         state_error: 0.0,
+        counted: Named::default(),
     }
 }
 

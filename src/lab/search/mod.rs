@@ -20,6 +20,7 @@ use super::bench::verification_steps;
 use super::errors::LabError;
 use super::machine::{self, NamedSchedule};
 use super::output;
+use super::statistics::median;
 use halving::survivors;
 use text::text;
 pub use tuned::{Choice, Tuned};
@@ -49,14 +50,24 @@ pub struct Plan {
     pub threads: Option<usize>,
     /// About how long all of it may take.
     pub budget: Duration,
+    /// Whether all candidates run to the end, none dropped on the way.
+    pub exhaustive: bool,
 }
 
 /// One of the candidates, while it runs.
 struct Candidate {
     contender: Contender,
     reorder: Reorder,
-    /// Milliseconds a step in each piece, sorting included: the pieces of all candidates are the same steps.
+    /// Milliseconds a step in each piece, without sorting: the pieces of all candidates are the same steps.
     pieces: Vec<f64>,
+}
+
+impl Candidate {
+    /// Milliseconds a step in each piece, over which the sorts of all steps are spread: they are rare, and in few pieces.
+    fn times(&self) -> Vec<f64> {
+        let sorting = self.contender.sorting();
+        self.pieces.iter().map(|piece| piece + sorting).collect()
+    }
 }
 
 /// What was found.
@@ -65,6 +76,7 @@ struct Found {
     layout: &'static str,
     schedule: &'static str,
     reorder: Reorder,
+    /// Milliseconds a step in each piece, sorting included.
     pieces: Vec<f64>,
     /// The rounds that it was in.
     rounds: usize,
@@ -103,7 +115,8 @@ pub fn search(plan: &Plan, out: Option<&Path>) -> Result<(), LabError> {
     }
     let agreement = verify(candidates.iter().map(|candidate| &candidate.contender), verified)?;
 
-    let rounds = candidates.len().next_power_of_two().ilog2().max(1) as usize;
+    let halvings = candidates.len().next_power_of_two().ilog2().max(1) as usize;
+    let rounds = if plan.exhaustive { 1 } else { halvings };
     let style = ProgressStyle::with_template("{bar:40} round {pos} of {len}, {msg}");
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
     bar.set_length(rounds as u64);
@@ -114,10 +127,9 @@ pub fn search(plan: &Plan, out: Option<&Path>) -> Result<(), LabError> {
         bar.set_message(format!("{} candidates", candidates.len()));
         let left = plan.budget.saturating_sub(start.elapsed()).as_secs_f64() / (rounds + 1 - round) as f64;
         steps += run_round(&mut candidates, step, left)?;
-        step = candidates.iter().filter_map(|candidate| candidate.pieces.last()).sum::<f64>() * 1e-3;
+        step = candidates.iter().map(|candidate| median(&candidate.times())).sum::<f64>() * 1e-3;
         if round < rounds {
-            let pieces: Vec<&[f64]> = candidates.iter().map(|candidate| &candidate.pieces[..]).collect();
-            let kept = survivors(&pieces);
+            let kept = survivors(&candidates.iter().map(Candidate::times).collect::<Vec<_>>());
             let (stay, leave): (Vec<_>, Vec<_>) =
                 candidates.into_iter().enumerate().partition(|(n, _)| kept.contains(n));
             lost.extend(leave.into_iter().map(|(_, candidate)| candidate.found(round)));
@@ -131,7 +143,7 @@ pub fn search(plan: &Plan, out: Option<&Path>) -> Result<(), LabError> {
     let mut found: Vec<_> = candidates.into_iter().map(|candidate| candidate.found(rounds)).collect();
     found.extend(lost);
     // Those that went farther come first.
-    found.sort_by(|a, b| b.rounds.cmp(&a.rounds).then(mean(&a.pieces).total_cmp(&mean(&b.pieces))));
+    found.sort_by(|a, b| b.rounds.cmp(&a.rounds).then(median(&a.pieces).total_cmp(&median(&b.pieces))));
     let seconds = start.elapsed().as_secs_f64();
     let about = About { verified, agreement, rounds, seconds, steps, time };
     let tuned = header.tuned(&found[0]);
@@ -173,13 +185,10 @@ impl Header {
 
 impl Candidate {
     fn found(self, rounds: usize) -> Found {
+        let pieces = self.times();
         let Contender { layout, named, .. } = self.contender;
-        Found { layout, schedule: named.name, reorder: self.reorder, pieces: self.pieces, rounds }
+        Found { layout, schedule: named.name, reorder: self.reorder, pieces, rounds }
     }
-}
-
-fn mean(values: &[f64]) -> f64 {
-    values.iter().sum::<f64>() / values.len() as f64
 }
 
 /// All that are to be compared, at the start of the scene.
@@ -242,7 +251,7 @@ fn run_round(candidates: &mut [Candidate], step: f64, seconds: f64) -> Result<u6
         // Each begins in turn, so that none always follows the same one.
         for k in 0..count {
             let candidate = &mut candidates[(n + k) % count];
-            let time = candidate.contender.advance_with_sorts(piece)?;
+            let (time, _) = candidate.contender.advance(piece)?;
             candidate.pieces.push(1e3 * time.as_secs_f64() / piece as f64);
         }
         taken += piece;

@@ -1,22 +1,22 @@
 //! The ranking as people read it.
 
 use super::tuned::Tuned;
-use super::{About, Found, Header, mean};
+use super::{About, Found, Header};
 use crate::lab::machine;
 use crate::lab::scene::size;
-use crate::lab::statistics::mean_ratio_interval;
+use crate::lab::statistics::{median, median_ratio_interval};
 use crate::lab::table::{Table, error_digits, four_digits};
 
 /// The interval of the ratio of one's times to the best's in the same steps.
 fn interval(found: &Found, best: &Found) -> [f64; 2] {
     let common = found.pieces.len().min(best.pieces.len());
-    mean_ratio_interval(&found.pieces[..common], &best.pieces[..common])
+    median_ratio_interval(&found.pieces[..common], &best.pieces[..common])
 }
 
 /// The ratio of one's time to the best's in the same steps.
 fn ratio(found: &Found, best: &Found) -> f64 {
     let common = found.pieces.len().min(best.pieces.len());
-    mean(&found.pieces[..common]) / mean(&best.pieces[..common])
+    median(&found.pieces[..common]) / median(&best.pieces[..common])
 }
 
 fn name(found: &Found) -> String {
@@ -34,7 +34,7 @@ pub(super) fn text(header: &Header, found: &[Found], about: &About, tuned: &Tune
             one.schedule.to_string(),
             one.reorder.to_string(),
             one.rounds.to_string(),
-            four_digits(mean(&one.pieces)),
+            four_digits(median(&one.pieces)),
             format!("{:.3}", ratio(one, best)),
             format!("{low:.3} to {high:.3}"),
         ]);
@@ -96,7 +96,7 @@ mod tests {
         let level = found("split", [1.1, 1.0, 1.1, 1.0, 1.1, 1.05]);
         let one = verdict(&[best.clone(), slower.clone()]);
         assert!(
-            one.starts_with("aos with schedule auto and reorder 0: the next takes 1.302 times as long (1.2"),
+            one.starts_with("aos with schedule auto and reorder 0: the next takes 1.286 times as long (1.1"),
             "{one}"
         );
         let two = verdict(&[best.clone(), level, slower]);

@@ -1,6 +1,7 @@
 //! The parts of a page: a file each, and a line in the list.
 
 mod counts;
+mod hardware;
 mod kernels;
 mod maps;
 mod method;
@@ -37,6 +38,7 @@ const ALL: &[Make] = &[
     sizes::section,
     maps::section,
     counts::section,
+    hardware::section,
     method::section,
 ];
 
