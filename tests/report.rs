@@ -164,7 +164,7 @@ fn check(html: &str, solver: &str, layouts: &[&str]) {
         let start = format!("allotrope {command} {solver} ");
         assert!(commands.iter().any(|line| line.starts_with(&start)), "{command}: {commands:?}");
     }
-    for id in ["choice", "scene", "ranking", "kernels", "maps", "method"] {
+    for id in ["choice", "scene", "ranking", "kernels", "maps", "hardware", "method"] {
         assert!(html.contains(&format!("<section id=\"{id}\"")) && html.contains(&format!("href=\"#{id}\"")), "{id}");
     }
     assert_eq!(html.matches("src=\"data:image/png;base64,iVBORw0KGgo").count(), 2, "pictures of both ends");
@@ -234,7 +234,13 @@ fn a_page_about_a_fluid_on_a_grid() {
     assert!(html.contains("<section id=\"counts\"") && html.contains("1234567"));
     // Layouts that share a field share its map.
     assert!(html.contains("in <code>aos+row</code> and <code>aos+hash4</code><"), "particles lie alike");
-    assert_eq!(html.matches("<figure><figcaption>in ").count(), 3 + 4);
+    let maps = html.split_once("<section id=\"maps\"").unwrap().1.split_once("</section>").unwrap().0;
+    assert_eq!(maps.matches("<figure><figcaption>in ").count(), 3 + 4);
+    let heat = html.split_once("data-heat=\"grid\"").unwrap().1.split_once("</section>").unwrap().0;
+    assert!(heat.contains("in <code>aos+row</code>") && heat.contains("the hottest was touched 300 times"), "{heat}");
+    // What the processor counted, or why it did not.
+    let counted = html.split_once("<section id=\"hardware\"").unwrap().1.split_once("</section>").unwrap().0;
+    assert!(counted.contains("page faults"), "{counted}");
 }
 
 #[test]

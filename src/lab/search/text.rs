@@ -96,7 +96,7 @@ mod tests {
         let level = found("split", [1.1, 1.0, 1.1, 1.0, 1.1, 1.05]);
         let one = verdict(&[best.clone(), slower.clone()]);
         assert!(
-            one.starts_with("aos with schedule auto and reorder 0: the next takes 1.286 times as long (1.1"),
+            one.starts_with("aos with schedule auto and reorder 0: the next takes 1.286 times as long (1.2"),
             "{one}"
         );
         let two = verdict(&[best.clone(), level, slower]);

@@ -39,6 +39,7 @@ pub fn sweep(plan: &Plan, out: &Path) -> Result<(), LabError> {
     let points = if plan.points.is_empty() { axis.usual(&start) } else { plan.points.clone() };
     for value in &points {
         axis.check(value)?;
+        start.point(bench, *axis, value)?;
     }
     output::folder(out)?;
     let file = out.join(FILE);
