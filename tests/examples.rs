@@ -141,7 +141,7 @@ fn layouts_of_one_kernel_draws_a_bar_for_each() {
     let results = layouts_of_one_kernel::compare(4096, 2).expect("all layouts see the same");
     assert_eq!(results.timings.len(), 7);
     assert!(results.timings.iter().all(|timing| timing.samples.len() == 2 && timing.median() > 0.0));
-    assert_eq!(results.table().lines().count(), 3 + 1 + 7);
+    assert_eq!(results.table().lines().count(), 4 + 1 + 7);
     let chart = layouts_of_one_kernel::draw(&results, folder.path()).expect("the chart is written");
     let svg = fs::read_to_string(chart).expect("the chart can be read");
     let width = |line: &str| line.split_once(" width=\"")?.1.split('"').next()?.parse::<f64>().ok();
