@@ -1,5 +1,7 @@
 //! Counters of Linux, by `perf_event_open`.
 
+use std::io::ErrorKind;
+
 use perf_event::events::{Cache, CacheId, CacheOp, CacheResult, Hardware, Software};
 use perf_event::{Builder, Counter};
 
@@ -29,10 +31,12 @@ impl Source {
             counter.enable()?;
             Ok(Self(counter))
         };
-        open().map_err(|error: std::io::Error| {
-            let text = error.to_string();
-            // Without the number, which says nothing.
-            text.split(" (os error").next().unwrap_or_default().to_lowercase()
+        open().map_err(|error: std::io::Error| match error.kind() {
+            ErrorKind::NotFound | ErrorKind::Unsupported => {
+                "the processor shows no such counter, as in many virtual machines".into()
+            }
+            ErrorKind::PermissionDenied => "not permitted, see `/proc/sys/kernel/perf_event_paranoid`".into(),
+            _ => error.to_string(),
         })
     }
 

@@ -153,6 +153,7 @@ pub(super) fn short(count: f64) -> String {
     match count {
         count if count >= 1e9 => format!("{} G", four_digits(count / 1e9)),
         count if count >= 1e6 => format!("{} M", four_digits(count / 1e6)),
+        0.0 => "0".into(),
         count if count >= 1e4 => format!("{} k", four_digits(count / 1e3)),
         count => four_digits(count),
     }
@@ -176,7 +177,7 @@ mod tests {
         let mut counted = Counted(vec![(Event::Cycles, 100.0), (Event::PageFaults, 3.0)]);
         counted.add(&Counted(vec![(Event::Cycles, 50.0)]));
         assert_eq!(counted.per(3), [("cycles".to_string(), 50.0)]);
-        assert_eq!([5.0, 12_345.0, 2.5e6, 3e10].map(short), ["5.000", "12.35 k", "2.500 M", "30.00 G"]);
+        assert_eq!([0.0, 5.0, 12_345.0, 2.5e6, 3e10].map(short), ["0", "5.000", "12.35 k", "2.500 M", "30.00 G"]);
     }
 
     #[test]

@@ -59,8 +59,9 @@ impl Html {
             format!("<{tag}{scope}{class}>{}</{tag}>", inline(text))
         };
         let mut html = format!(
-            "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\">\n<table>\n<caption>{0}</caption>\n<thead><tr>",
-            escaped(&table.caption)
+            "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">\n<table>\n<caption>{}</caption>\n<thead><tr>",
+            escaped(&table.caption.replace('`', "")),
+            inline(&table.caption)
         );
         for (column, name) in table.headline.iter().enumerate() {
             html += &cell(column, "th", " scope=\"col\"", name);
