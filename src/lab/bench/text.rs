@@ -119,17 +119,13 @@ mod tests {
         Report { solver: "net".into(), scene: "cloth".into(), particles: 1000, grid, threads: 1, isa, rows: vec![row] }
     }
 
+    fn about(refused: Option<String>) -> About {
+        About { verified: 10, agreement: 0.0, repetitions: 2, steps: 20, time: 0.1, left_out: Vec::new(), refused }
+    }
+
     #[test]
     fn nodes_are_told_where_there_is_a_grid() {
-        let about = About {
-            verified: 10,
-            agreement: 0.0,
-            repetitions: 2,
-            steps: 20,
-            time: 0.1,
-            left_out: Vec::new(),
-            refused: None,
-        };
+        let about = about(None);
         let first = |grid| text(&report(grid), &about).lines().next().unwrap_or_default().to_string();
         assert_eq!(first(vec![]), "net cloth: 1000 particles");
         assert_eq!(first(vec![8, 4]), "net cloth: 1000 particles, 8 x 4 nodes");
@@ -138,15 +134,7 @@ mod tests {
 
     #[test]
     fn what_was_counted_stands_in_a_table_of_its_own() {
-        let about = About {
-            verified: 10,
-            agreement: 0.0,
-            repetitions: 2,
-            steps: 20,
-            time: 0.1,
-            left_out: Vec::new(),
-            refused: Some("not counted: page faults (not permitted)".into()),
-        };
+        let about = about(Some("not counted: page faults (not permitted)".into()));
         let mut report = report(vec![]);
         assert!(!text(&report, &about).contains("as processor and system counted it"));
         report.rows[0].counted = Named(vec![("cycles".into(), 2e6), ("instructions".into(), 5e6)]);

@@ -62,14 +62,6 @@ struct Candidate {
     pieces: Vec<f64>,
 }
 
-impl Candidate {
-    /// Milliseconds a step in each piece, over which the sorts of all steps are spread: they are rare, and in few pieces.
-    fn times(&self) -> Vec<f64> {
-        let sorting = self.contender.sorting();
-        self.pieces.iter().map(|piece| piece + sorting).collect()
-    }
-}
-
 /// What was found.
 #[derive(Clone, Debug)]
 struct Found {
@@ -184,6 +176,12 @@ impl Header {
 }
 
 impl Candidate {
+    /// Milliseconds a step in each piece, over which the sorts of all steps are spread: they are rare, and in few pieces.
+    fn times(&self) -> Vec<f64> {
+        let sorting = self.contender.sorting();
+        self.pieces.iter().map(|piece| piece + sorting).collect()
+    }
+
     fn found(self, rounds: usize) -> Found {
         let pieces = self.times();
         let Contender { layout, named, .. } = self.contender;
