@@ -110,9 +110,9 @@ macro_rules! for_axes {
 }
 pub(crate) use for_axes;
 
-/// One value an axis, written out: no loop hides the places from the optimiser.
+/// One value an axis, written out: no loop hides the places from the optimiser. What is `Copy` needs no code to drop it, should a call unwind.
 #[inline(always)]
-pub(crate) fn per_axis<T>(value: impl Fn(usize) -> T) -> [T; MAX_AXES] {
+pub(crate) fn per_axis<T: Copy>(value: impl Fn(usize) -> T + Copy) -> [T; MAX_AXES] {
     [value(0), value(1), value(2), value(3)]
 }
 
@@ -128,7 +128,7 @@ pub(crate) fn padded<const N: usize>(offset: [i64; N]) -> [i64; MAX_AXES] {
 
 /// Adds up one term an axis, unrolled: the rank is a constant.
 #[inline(always)]
-pub(crate) fn sum<X: Axes>(term: impl Fn(usize) -> usize) -> usize {
+pub(crate) fn sum<X: Axes>(term: impl Fn(usize) -> usize + Copy) -> usize {
     let mut sum = term(0);
     if const { X::RANK > 1 } {
         sum = sum.wrapping_add(term(1));
@@ -144,7 +144,7 @@ pub(crate) fn sum<X: Axes>(term: impl Fn(usize) -> usize) -> usize {
 
 /// Whether a condition holds along every axis, unrolled.
 #[inline(always)]
-pub(crate) fn all<X: Axes>(holds: impl Fn(usize) -> bool) -> bool {
+pub(crate) fn all<X: Axes>(holds: impl Fn(usize) -> bool + Copy) -> bool {
     // `&`, not `&&`: one branch on the whole.
     let mut all = holds(0);
     if const { X::RANK > 1 } {

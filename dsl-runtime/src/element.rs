@@ -89,7 +89,7 @@ pub unsafe trait Element: Copy + Send + Sync + 'static {
     unsafe fn scatter(self, at: *mut u8, component: usize);
     /// Combines two elements component by component.
     #[doc(hidden)]
-    fn combine(a: Self, b: Self, f: impl Fn(Self::Scalar, Self::Scalar) -> Self::Scalar) -> Self;
+    fn combine(a: Self, b: Self, f: impl Fn(Self::Scalar, Self::Scalar) -> Self::Scalar + Copy) -> Self;
     /// The element all of whose components are the same.
     #[doc(hidden)]
     fn of_scalar(scalar: Self::Scalar) -> Self;
@@ -141,7 +141,7 @@ macro_rules! scalars {
                 unsafe { at.cast::<Self>().write_unaligned(self) }
             }
             #[inline(always)]
-            fn combine(a: Self, b: Self, f: impl Fn(Self, Self) -> Self) -> Self {
+            fn combine(a: Self, b: Self, f: impl Fn(Self, Self) -> Self + Copy) -> Self {
                 f(a, b)
             }
             #[inline(always)]
@@ -203,7 +203,7 @@ macro_rules! packed {
                 );
             }
             #[inline(always)]
-            fn combine(mut a: Self, b: Self, f: impl Fn($scalar, $scalar) -> $scalar) -> Self {
+            fn combine(mut a: Self, b: Self, f: impl Fn($scalar, $scalar) -> $scalar + Copy) -> Self {
                 let (left, right) = ((&raw mut a).cast::<$scalar>(), (&raw const b).cast::<$scalar>());
                 times::<$components>(
                     // SAFETY: `c` counts the components of both.
@@ -253,7 +253,7 @@ unsafe impl Element for glam::Vec3A {
         unsafe { glam::Vec3::from(self).scatter(at, component) }
     }
     #[inline(always)]
-    fn combine(a: Self, b: Self, f: impl Fn(f32, f32) -> f32) -> Self {
+    fn combine(a: Self, b: Self, f: impl Fn(f32, f32) -> f32 + Copy) -> Self {
         glam::Vec3::combine(a.into(), b.into(), f).into()
     }
     #[inline(always)]
@@ -289,11 +289,11 @@ unsafe impl<T: Element, const N: usize> Element for [T; N] {
         }
     }
     #[inline(always)]
-    fn combine(a: Self, b: Self, f: impl Fn(T::Scalar, T::Scalar) -> T::Scalar) -> Self {
+    fn combine(a: Self, b: Self, f: impl Fn(T::Scalar, T::Scalar) -> T::Scalar + Copy) -> Self {
         let mut all = a;
         times::<N>(
             #[inline(always)]
-            |n| all[n] = T::combine(a[n], b[n], &f),
+            |n| all[n] = T::combine(a[n], b[n], f),
         );
         all
     }
@@ -309,6 +309,12 @@ unsafe impl<T: Element, const N: usize> Element for [T; N] {
 /// Calls `f` with 0 to N - 1, written out up to 16: component loops must not be loops.
 #[inline(always)]
 pub(crate) fn times<const N: usize>(mut f: impl FnMut(usize)) {
+    times_by::<N>(&mut f);
+}
+
+/// The same by reference: what is owned would be dropped, should a call unwind, and each call have code for it.
+#[inline(always)]
+fn times_by<const N: usize>(f: &mut impl FnMut(usize)) {
     macro_rules! written_out {
         ($($c:literal)*) => { $(if const { N > $c } { f($c); })* };
     }

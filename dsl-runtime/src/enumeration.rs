@@ -121,7 +121,7 @@ macro_rules! __enumeration {
                 unsafe { $crate::__private::Code::of(self).scatter(at) }
             }
             #[inline(always)]
-            fn combine(a: Self, b: Self, f: impl Fn(Self::Scalar, Self::Scalar) -> Self::Scalar) -> Self {
+            fn combine(a: Self, b: Self, f: impl Fn(Self::Scalar, Self::Scalar) -> Self::Scalar + Copy) -> Self {
                 f($crate::__private::Code::of(a), $crate::__private::Code::of(b)).variant()
             }
             #[inline(always)]

@@ -9,7 +9,7 @@ pub trait Updated: Scalar {
     ///
     /// # Safety
     /// `at` is valid, aligned, and touched by nothing but atomic operations meanwhile.
-    unsafe fn update(at: *mut Self, change: impl Fn(Self) -> Self);
+    unsafe fn update(at: *mut Self, change: impl Fn(Self) -> Self + Copy);
 }
 
 /// A scalar that can be accumulated. Integers wrap around; NaN never wins a minimum or maximum.
@@ -63,7 +63,7 @@ macro_rules! update {
     ($scalar:ty, $atomic:ident, |$value:ident| $to:expr, |$bits:ident| $from:expr) => {
         impl Updated for $scalar {
             #[inline(always)]
-            unsafe fn update(at: *mut Self, change: impl Fn(Self) -> Self) {
+            unsafe fn update(at: *mut Self, change: impl Fn(Self) -> Self + Copy) {
                 use core::sync::atomic::{Ordering::Relaxed, $atomic};
                 // SAFETY: as the caller promises; the scalar and the atomic have the same size.
                 let cell = unsafe { $atomic::from_ptr(at.cast()) };

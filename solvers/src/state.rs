@@ -14,12 +14,13 @@ pub struct Array {
 impl Array {
     /// An array of vectors.
     pub(crate) fn floats<const N: usize>(name: &'static str, values: impl IntoIterator<Item = [f32; N]>) -> Self {
-        Self::floats_of(name, &mut values.into_iter())
+        let mut values = values.into_iter();
+        Self::floats_of(name, &mut || values.next())
     }
 
-    /// The same, compiled once for all iterators.
-    fn floats_of<const N: usize>(name: &'static str, values: &mut dyn Iterator<Item = [f32; N]>) -> Self {
-        Self { name, components: N, values: Values::F32(values.flatten().collect()) }
+    /// The same, compiled once for all iterators. As `dyn` ones they would bring all the methods that iterators have.
+    fn floats_of<const N: usize>(name: &'static str, next: &mut dyn FnMut() -> Option<[f32; N]>) -> Self {
+        Self { name, components: N, values: Values::F32(std::iter::from_fn(next).flatten().collect()) }
     }
 
     /// An array of so many numbers a particle or node.

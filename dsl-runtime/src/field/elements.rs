@@ -4,11 +4,11 @@ use core::ops::Range;
 
 use super::Handle;
 use super::host::Places;
-use crate::axes::{Axes, MAX_AXES};
+use crate::axes::{Axes, MAX_AXES, per_axis};
 use crate::layout::node::nth_cell;
-use crate::layout::{Layout, Map};
+use crate::layout::{Chain, Layout, Map};
 use crate::record::{ElementList, Path, Record};
-use crate::store::active::next_bit;
+use crate::store::active::{ActiveList, next_bit};
 
 /// The elements that hold values of their own, in logical row-major order: all of a dense field, the active ones of a sparse one.
 #[derive(Clone, Debug)]
@@ -90,9 +90,21 @@ pub(crate) fn active_places<R: Record, L: Layout<X>, X: Axes>(
     handle: &Handle<'_, R, L, X>,
     m: usize,
 ) -> Vec<[u32; MAX_AXES]> {
-    let (list, chain, grain) = (handle.actives(m), Map::<R, L, X>::chain(m), Map::<R, L, X>::grain(m));
-    let shape = &handle.geometry.shape;
-    let is_list = Map::<R, L, X>::list().is_some();
+    if const { !Map::<R, L, X>::any_sparse() } {
+        return Vec::new();
+    }
+    let (chain, grain) = (Map::<R, L, X>::chain(m), Map::<R, L, X>::grain(m));
+    places_in::<X>(&handle.actives(m), chain, grain, Map::<R, L, X>::list().is_some(), &handle.geometry.shape)
+}
+
+/// The same, compiled once for all layouts.
+fn places_in<X: Axes>(
+    list: &ActiveList,
+    chain: &Chain,
+    grain: usize,
+    is_list: bool,
+    shape: &[u32; MAX_AXES],
+) -> Vec<[u32; MAX_AXES]> {
     let mut places = Vec::with_capacity(list.work());
     for (n, brick) in list.bricks.iter().enumerate() {
         // Of a list, as many entries as are held; else all cells, or those whose bits are set.
@@ -109,7 +121,7 @@ pub(crate) fn active_places<R: Record, L: Layout<X>, X: Axes>(
                 }
             }
             let inner = nth_cell::<X>(chain.digits, chain.extent, chain.cells, cell);
-            let place = core::array::from_fn(|a| {
+            let place = per_axis(|a| {
                 if a < X::RANK { u64::from(brick.block[a]) * chain.extent[a] as u64 + inner[a] as u64 } else { 0 }
             });
             // Cells beyond the shape are not reachable.

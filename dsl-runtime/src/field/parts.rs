@@ -31,5 +31,5 @@ pub(super) fn each_part<T: Send>(len: usize, work: impl Fn(Range<usize>) -> T + 
 
 /// The same with parts of another size.
 pub(crate) fn each_part_of<T: Send>(part_len: usize, len: usize, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
-    results_of_jobs(threads(), len.div_ceil(part_len), |part| work(part * part_len..len.min((part + 1) * part_len)))
+    results_of_jobs(threads(), len.div_ceil(part_len), &|part| work(part * part_len..len.min((part + 1) * part_len)))
 }

@@ -32,7 +32,7 @@ pub use sieve::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, 
 pub use space::{Space, interior, of_branch, over, range};
 pub(crate) use space::{any_in_blocks, is_in_blocks};
 
-use crate::scatter::{self, Key, PackedPiece, Scattered, Share, Sink, Tiled};
+use crate::scatter::{self, Bounds, Key, PackedPiece, Place, Scattered, Share, Sink, Tiled};
 use crate::schedule::{Inside, Scatter, Schedule};
 use cpu::Cpu;
 
@@ -84,27 +84,36 @@ pub struct Task<'t, S> {
 /// How many pieces ahead elements are fetched: by then they have come from memory, and are not yet pushed out of the caches.
 const AHEAD: usize = 12;
 
+/// A [`Task`] of whatever space.
+struct Portion<'t> {
+    units: Range<usize>,
+    atomic: bool,
+    alone: bool,
+    pieces: &'t [PackedPiece],
+    shares: &'t [Share<'t>],
+}
+
 impl<'t, S: Space> Task<'t, S> {
-    /// A task that accumulates into nothing.
     #[inline(always)]
-    fn new(space: &'t S, units: Range<usize>, fits: bool, alone: bool) -> Self {
-        Self { space, units, fits, atomic: false, alone, fused: FUSED, pieces: &[], shares: &[], owner: PhantomData }
+    fn new(space: &'t S, fits: bool, portion: Portion<'t>) -> Self {
+        let Portion { units, atomic, alone, pieces, shares } = portion;
+        Self { space, units, fits, atomic, alone, fused: FUSED, pieces, shares, owner: PhantomData }
     }
 
     /// Visits the task's runs in memory order. Whole runs of blocks are written out: for small bodies.
     #[inline(always)]
-    pub fn rows(&self, body: impl FnMut(Run<'_, S>)) {
-        self.visit::<true>(body);
+    pub fn rows(&self, mut body: impl FnMut(Run<'_, S>)) {
+        self.visit::<true>(&mut body);
     }
 
     /// Visits the task's runs in memory order, with one copy of the body: for large bodies.
     #[inline(always)]
-    pub fn runs(&self, body: impl FnMut(Run<'_, S>)) {
-        self.visit::<false>(body);
+    pub fn runs(&self, mut body: impl FnMut(Run<'_, S>)) {
+        self.visit::<false>(&mut body);
     }
 
     #[inline(always)]
-    fn visit<const LIGHT: bool>(&self, mut body: impl FnMut(Run<'_, S>)) {
+    fn visit<const LIGHT: bool>(&self, body: &mut impl FnMut(Run<'_, S>)) {
         // One place where the body stands, as it may be large: the units come first, of which a task with pieces has none.
         let (mut space, mut units, mut rest) = (*self.space, self.units.clone(), self.pieces);
         loop {
@@ -112,7 +121,7 @@ impl<'t, S: Space> Task<'t, S> {
                 units,
                 self.fits,
                 #[inline(always)]
-                |run| once(&mut body, run),
+                |run| once(body, run),
             );
             let Some((piece, others)) = rest.split_first() else { return };
             rest = others;
@@ -160,7 +169,8 @@ fn once<T>(body: &mut impl FnMut(T), at: T) {
 const FUSED: bool = cfg!(target_feature = "fma") || cfg!(target_arch = "aarch64");
 
 /// Body versions. In the plain ones `fits` holds and updates are plain, as constants; the careful one asks at run time. Builds with debug
-/// assertions, whose bodies are no part of the loops around them, have that one alone.
+/// assertions, whose bodies are no part of the loops around them, have that one alone. So has a loop that accumulates on an x86-64 without AVX2:
+/// a plain version for it would be a quarter of the time that such loops take to build.
 mod versions {
     use super::{FUSED, Space, Task};
 
@@ -198,12 +208,11 @@ mod versions {
         plain::<TILED, true, S, Out, F>(body, task)
     }
 
-    /// Where rows always fit, updates that are none of a plain version's are atomic ones: `FITS`.
     pub(super) fn careful<const FITS: bool, const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
         body: &F,
         task: Task<'_, S>,
     ) -> Out {
-        let atomic = const { FITS && !cfg!(debug_assertions) } || task.atomic;
+        let atomic = task.atomic;
         let pieces = if const { TILED } { task.pieces } else { &[] };
         body(Task { pieces, fits: FITS || task.fits, atomic, fused: FUSED, ..task })
     }
@@ -215,7 +224,8 @@ fn dispatch<const OWN: bool, const FITS: bool, const TILED: bool, S: Space, Out,
     body: &F,
     task: Task<'_, S>,
 ) -> Out {
-    if const { cfg!(debug_assertions) } || const { !OWN } && (!task.fits || task.atomic) {
+    let asks = |cpu| !task.fits || task.atomic || cfg!(target_arch = "x86_64") && cpu == Cpu::Baseline;
+    if const { cfg!(debug_assertions) } || const { !OWN } && asks(cpu) {
         return versions::careful::<FITS, TILED, S, Out, F>(body, task);
     }
     match cpu {
@@ -225,31 +235,37 @@ fn dispatch<const OWN: bool, const FITS: bool, const TILED: bool, S: Space, Out,
         // SAFETY: as above.
         #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
         Cpu::Avx2 => unsafe { versions::avx2::<TILED, S, Out, F>(body, task) },
-        _ => versions::baseline::<TILED, S, Out, F>(body, task),
+        _ if const { OWN || !cfg!(target_arch = "x86_64") } => versions::baseline::<TILED, S, Out, F>(body, task),
+        _ => unreachable!("loops that accumulate have no plain version of the baseline"),
     }
 }
 
-/// The tasks of a launch and their results, whatever body they run: what surrounds them is compiled once a space.
-trait Tasks<S: Space>: Sync {
+/// The tasks of a launch and their results, whatever they run through and do: what surrounds them is compiled once.
+trait Tasks: Sync {
     /// Makes room for the results of so many.
     fn expect(&mut self, count: usize);
     /// Runs one, and keeps its result.
-    fn run(&self, n: usize, cpu: Cpu, task: Task<'_, S>);
+    fn run(&self, n: usize, cpu: Cpu, portion: Portion<'_>);
+    /// Finds the keys of one's elements, where there are some.
+    fn keys(&self, portion: Portion<'_>, sink: &mut Sink);
 }
 
 /// Tasks that run a body in its version for the processor. `OWN`: it touches its own elements alone; `FITS`: its rows always fit; `TILED`: its
 /// elements may come in pieces.
-struct Bodies<const OWN: bool, const FITS: bool, const TILED: bool, Out, F> {
+struct Bodies<'a, const OWN: bool, const FITS: bool, const TILED: bool, S, Out, F> {
+    space: &'a S,
+    fits: bool,
+    key: Option<&'a Key<'a, S>>,
     body: F,
     outs: Slots<Out>,
 }
 
-impl<const OWN: bool, const FITS: bool, const TILED: bool, Out, F> Bodies<OWN, FITS, TILED, Out, F> {
+impl<const OWN: bool, const FITS: bool, const TILED: bool, S, Out, F> Bodies<'_, OWN, FITS, TILED, S, Out, F> {
     /// Whether results take memory.
     const KEEPS: bool = size_of::<Out>() > 0;
 }
 
-impl<const OWN: bool, const FITS: bool, const TILED: bool, S, Out, F> Tasks<S> for Bodies<OWN, FITS, TILED, Out, F>
+impl<const OWN: bool, const FITS: bool, const TILED: bool, S, Out, F> Tasks for Bodies<'_, OWN, FITS, TILED, S, Out, F>
 where
     S: Space,
     Out: Send,
@@ -261,10 +277,19 @@ where
         }
     }
 
-    fn run(&self, n: usize, cpu: Cpu, task: Task<'_, S>) {
+    fn run(&self, n: usize, cpu: Cpu, portion: Portion<'_>) {
+        let task = Task::new(self.space, self.fits, portion);
         let out = dispatch::<OWN, FITS, TILED, S, Out, F>(cpu, &self.body, task);
         if const { Self::KEEPS } {
             self.outs.put(n, out);
+        }
+    }
+
+    fn keys(&self, portion: Portion<'_>, sink: &mut Sink) {
+        if const { TILED }
+            && let Some(key) = self.key
+        {
+            (key.keys)(Task::new(self.space, self.fits, portion), sink);
         }
     }
 }
@@ -278,9 +303,22 @@ fn all<const OWN: bool, const FITS: bool, const TILED: bool, S: Space, Out: Send
 ) -> Outs<Out> {
     assert!(!(OWN || FITS) || options.fits, "rows that might not fit have a version that asks");
     assert!(!OWN || options.targets.is_empty(), "a loop that accumulates has a version that does so atomically");
-    let mut tasks = Bodies::<OWN, FITS, TILED, Out, F> { body, outs: Slots::new(0) };
-    start(space, options, key, &mut tasks);
+    let place = key.map(|key| key.place);
+    let mut tasks = Bodies::<OWN, FITS, TILED, S, Out, F> { space, fits: options.fits, key, body, outs: Slots::new(0) };
+    start(extent_of(space), options, place, &mut tasks);
     tasks.outs.take()
+}
+
+/// What of a space is asked before it is run through.
+struct Extent {
+    units: usize,
+    bounds: Bounds,
+    divisible: bool,
+}
+
+#[inline(never)]
+fn extent_of<S: Space>(space: &S) -> Extent {
+    Extent { units: space.units(), bounds: Bounds::of(space), divisible: S::DIVISIBLE }
 }
 
 /// The most blocks that a space is cut into: enough for load balance on many threads.
@@ -369,8 +407,9 @@ pub fn launch_own<S: Space, Out: Send, F: Fn(Task<'_, S>) -> Out + Sync>(
     all::<true, true, false, S, Out, F>(space, options, None, body)
 }
 
-fn start<S: Space>(space: &S, options: Options<'_>, key: Option<&Key<'_, S>>, tasks: &mut dyn Tasks<S>) {
-    let (units, elements) = (space.units(), space.elements());
+fn start(extent: Extent, options: Options<'_>, place: Option<Place>, tasks: &mut dyn Tasks) {
+    let Extent { units, bounds, divisible } = extent;
+    let elements = bounds.elements;
     if units == 0 || elements == 0 {
         return;
     }
@@ -391,33 +430,32 @@ fn start<S: Space>(space: &S, options: Options<'_>, key: Option<&Key<'_, S>>, ta
     // Blocks, and with them the order of reductions, follow from the work alone, never from the threads.
     let blocks = (elements / grain).clamp(1, MOST_BLOCKS).min(units);
     let block = |b: usize| units * b / blocks..units * (b + 1) / blocks;
-    let part = |units| Task::new(space, units, options.fits, alone);
-    let possible = key.filter(|key| key.is_possible(space, options.targets));
-    let keys = |b: usize, sink: &mut Sink| key.into_iter().for_each(|key| (key.keys)(part(block(b)), sink));
-    let scattered = || possible.and_then(|key| key.scattered_over(space, options.targets, blocks, &keys));
-    let tiled = possible.map(|key| Tiled { certain: key.certain, scattered: &scattered });
-    let plan = scatter::plan(&options, &schedule, threads, elements, blocks, tiled);
-    if plan.colored
-        && let Some(key) = possible
-    {
-        let bins = key.sort(space, options.targets, plan.threads, blocks, &keys);
-        tasks.expect(bins.jobs());
-        let tasks = &*tasks;
+    let portion = |units| Portion { units, atomic: false, alone, pieces: &[], shares: &[] };
+    let possible = place.filter(|place| divisible && place.is_possible(&bounds, options.targets));
+    let (plan, bins) = {
+        let keys = |b: usize, sink: &mut Sink| tasks.keys(portion(block(b)), sink);
+        let scattered = || possible.and_then(|place| place.scattered_over(&bounds, options.targets, blocks, &keys));
+        let tiled = possible.map(|place| Tiled { certain: place.certain, scattered: &scattered });
+        let plan = scatter::plan(&options, &schedule, threads, elements, blocks, tiled);
+        let sorted = possible.filter(|_| plan.colored);
+        (plan, sorted.map(|place| place.sort(&bounds, options.targets, plan.threads, blocks, &keys)))
+    };
+    tasks.expect(bins.as_ref().map_or(blocks, |bins| bins.jobs()));
+    let tasks = &*tasks;
+    if let Some(bins) = bins {
         let tile = |tile: usize, shares: &[Share<'_>]| {
             if recording {
                 crate::probe::block(tile, bins.jobs());
             }
-            tasks.run(tile, cpu, Task { pieces: bins.pieces(tile), shares, ..part(0..0) });
+            tasks.run(tile, cpu, Portion { pieces: bins.pieces(tile), shares, ..portion(0..0) });
         };
         return bins.execute(plan.threads, options.targets, &tile);
     }
-    tasks.expect(blocks);
-    let tasks = &*tasks;
     let run = |b: usize, shares: &[Share<'_>]| {
         if recording {
             crate::probe::block(b, blocks);
         }
-        tasks.run(b, cpu, Task { atomic: plan.atomic, shares, ..part(block(b)) });
+        tasks.run(b, cpu, Portion { atomic: plan.atomic, shares, ..portion(block(b)) });
     };
     scatter::execute(&plan, options.targets, blocks, &run);
 }
@@ -453,7 +491,9 @@ pub(crate) fn run_jobs(threads: usize, jobs: usize, job: &(dyn Fn(usize) + Sync)
 }
 
 /// Runs jobs on threads, and returns their results in order.
-pub(crate) fn results_of_jobs<T: Send>(threads: usize, jobs: usize, job: impl Fn(usize) -> T + Sync) -> Vec<T> {
+///
+/// The job is a `dyn` one: what surrounds it is compiled once for all jobs of a result.
+pub(crate) fn results_of_jobs<T: Send>(threads: usize, jobs: usize, job: &(dyn Fn(usize) -> T + Sync)) -> Vec<T> {
     let results: Vec<Mutex<Option<T>>> = (0..jobs).map(|_| Mutex::new(None)).collect();
     run_jobs(threads, jobs, &|n| {
         let result = job(n);

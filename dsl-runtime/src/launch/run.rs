@@ -147,24 +147,24 @@ impl<S: Space> Run<'_, S> {
 
     /// Calls `body` for each element. `halo` is how far along each axis rows reach; no axes where they do not.
     #[inline(always)]
-    pub fn each<const N: usize>(&self, halo: [u32; N], body: impl FnMut(Cell<'_, S>)) {
-        self.each_as::<true, N>(halo, body);
+    pub fn each<const N: usize>(&self, halo: [u32; N], mut body: impl FnMut(Cell<'_, S>)) {
+        self.each_as::<true, N>(halo, &mut body);
     }
 
     /// As [`each`](Self::each) in the runs of [`Task::runs`](super::Task::runs), none of which counts as a whole one.
     #[inline(always)]
-    pub fn each_of_pieces<const N: usize>(&self, halo: [u32; N], body: impl FnMut(Cell<'_, S>)) {
-        self.each_as::<false, N>(halo, body);
+    pub fn each_of_pieces<const N: usize>(&self, halo: [u32; N], mut body: impl FnMut(Cell<'_, S>)) {
+        self.each_as::<false, N>(halo, &mut body);
     }
 
     /// Conditions on types are blocks of their own wherever the body stands: what they leave out is then not even handed to the optimiser, which
-    /// would write the body out there first.
+    /// would write the body out there first. The body is borrowed: if it was owned, each call would have code that drops it should the call unwind.
     #[inline(always)]
-    fn each_as<const LIGHT: bool, const N: usize>(&self, halo: [u32; N], mut body: impl FnMut(Cell<'_, S>)) {
+    fn each_as<const LIGHT: bool, const N: usize>(&self, halo: [u32; N], body: &mut impl FnMut(Cell<'_, S>)) {
         let halo = if S::AXIS < N { halo[S::AXIS] as usize } else { 0 };
         if const { S::RUN == 0 } {
             for slot in 0..self.len {
-                once(&mut body, self.cell(slot, true));
+                once(body, self.cell(slot, true));
             }
         } else if const { LIGHT && S::MASKED }
             && let Some(mask) = self.mask
@@ -172,16 +172,16 @@ impl<S: Space> Run<'_, S> {
             // What the body reads has been copied and what it writes is held back, so that the compiler can do it for all and choose.
             for slot in 0..S::RUN {
                 if mask.has::<S>(slot) {
-                    once(&mut body, self.cell(slot, true));
+                    once(body, self.cell(slot, true));
                 }
             }
         } else if const { copies_rows::<S>() } {
             // Rows that lead into other blocks are copied, so that all cells are alike.
             if const { LIGHT && !S::SPARSE && S::RUN <= WRITTEN_OUT && N > 0 } && self.whole {
-                for_slots!(S, SLOT => once(&mut body, self.cell(SLOT, true)));
+                for_slots!(S, SLOT => once(body, self.cell(SLOT, true)));
             } else if const { LIGHT && S::SPARSE } && self.whole {
                 for slot in 0..S::RUN {
-                    once(&mut body, self.cell(slot, true));
+                    once(body, self.cell(slot, true));
                 }
             } else {
                 for slot in 0..self.len {
@@ -189,7 +189,7 @@ impl<S: Space> Run<'_, S> {
                     if const { S::RUN <= SHORT } && !self.whole {
                         stay_scalar();
                     }
-                    once(&mut body, self.cell(slot, true));
+                    once(body, self.cell(slot, true));
                 }
             }
         } else if const { LIGHT } && self.whole {
@@ -197,30 +197,30 @@ impl<S: Space> Run<'_, S> {
             let head = halo.min(S::RUN);
             let tail = S::RUN.saturating_sub(halo).max(head);
             for slot in 0..head {
-                once(&mut body, self.cell(slot, false));
+                once(body, self.cell(slot, false));
             }
             for slot in head..tail {
-                once(&mut body, self.cell(slot, true));
+                once(body, self.cell(slot, true));
             }
             for slot in tail..S::RUN {
-                once(&mut body, self.cell(slot, false));
+                once(body, self.cell(slot, false));
             }
         } else if const { S::SPARSE } {
             let end = self.first + self.len;
             let head = halo.clamp(self.first, end);
             let tail = S::RUN.saturating_sub(halo).clamp(head, end);
             for k in self.first..head {
-                once(&mut body, self.cell(k - self.first, false));
+                once(body, self.cell(k - self.first, false));
             }
             for k in head..tail {
-                once(&mut body, self.cell(k - self.first, true));
+                once(body, self.cell(k - self.first, true));
             }
             for k in tail..end {
-                once(&mut body, self.cell(k - self.first, false));
+                once(body, self.cell(k - self.first, false));
             }
         } else {
             for slot in 0..self.len {
-                once(&mut body, self.cell(slot, halo == 0));
+                once(body, self.cell(slot, halo == 0));
             }
         }
     }

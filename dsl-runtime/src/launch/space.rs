@@ -423,6 +423,62 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Cells<R, L, X, P> {
         }
     }
 
+    /// Visits the runs of some units. The visitor is borrowed: if it was owned, each call would have code that drops it should the call unwind.
+    #[inline(always)]
+    fn visit_by<const LIGHT: bool>(&self, units: Range<usize>, fits: bool, run: &mut impl FnMut(Run<'_, Self>)) {
+        if units.is_empty() {
+            return;
+        }
+        if const { Self::SPARSE } {
+            self.visit_active::<LIGHT>(units, fits, run);
+            return;
+        }
+        let (axes, count) = const { Self::ORDER };
+        let last = const { Self::FASTEST };
+        let mut block = [0; MAX_AXES];
+        let mut rest = units.start;
+        for &axis in axes[..count].iter().rev() {
+            block[axis] = rest % self.blocks[axis];
+            rest /= self.blocks[axis];
+        }
+        let mut left = units.len();
+        while left > 0 {
+            let len = (self.blocks[last] - block[last]).min(left);
+            let first = per_axis(
+                #[inline(always)]
+                |a| self.first_block[a] + block[a],
+            );
+            if const { <Self as Chained<X>>::CHAIN.is_flat() } {
+                let (at, inner) = (self.start(first, [0; MAX_AXES]), [0; MAX_AXES]);
+                run(Run {
+                    at,
+                    first: 0,
+                    len,
+                    block: first,
+                    inner,
+                    brick: NOWHERE,
+                    root: NOWHERE,
+                    whole: false,
+                    fits,
+                    mask: None,
+                    next: None,
+                    owner: PhantomData,
+                });
+            } else {
+                self.blocks::<LIGHT>(first, len, fits, run);
+            }
+            left -= len;
+            block[last] = 0;
+            for &axis in axes[..count - 1].iter().rev() {
+                block[axis] += 1;
+                if block[axis] < self.blocks[axis] {
+                    break;
+                }
+                block[axis] = 0;
+            }
+        }
+    }
+
     /// The logical coordinates of a cell of a block.
     #[inline(always)]
     pub(super) fn start(&self, block: PerAxis, inner: PerAxis) -> [i64; MAX_AXES] {
@@ -481,57 +537,7 @@ impl<R: Record, L: Layout<X>, X: Axes, P: Path<R>> Space for Cells<R, L, X, P> {
 
     #[inline(always)]
     fn visit<const LIGHT: bool>(&self, units: Range<usize>, fits: bool, mut run: impl FnMut(Run<'_, Self>)) {
-        if units.is_empty() {
-            return;
-        }
-        if const { Self::SPARSE } {
-            self.visit_active::<LIGHT>(units, fits, &mut run);
-            return;
-        }
-        let (axes, count) = const { Self::ORDER };
-        let last = const { Self::FASTEST };
-        let mut block = [0; MAX_AXES];
-        let mut rest = units.start;
-        for &axis in axes[..count].iter().rev() {
-            block[axis] = rest % self.blocks[axis];
-            rest /= self.blocks[axis];
-        }
-        let mut left = units.len();
-        while left > 0 {
-            let len = (self.blocks[last] - block[last]).min(left);
-            let first = per_axis(
-                #[inline(always)]
-                |a| self.first_block[a] + block[a],
-            );
-            if const { <Self as Chained<X>>::CHAIN.is_flat() } {
-                let (at, inner) = (self.start(first, [0; MAX_AXES]), [0; MAX_AXES]);
-                run(Run {
-                    at,
-                    first: 0,
-                    len,
-                    block: first,
-                    inner,
-                    brick: NOWHERE,
-                    root: NOWHERE,
-                    whole: false,
-                    fits,
-                    mask: None,
-                    next: None,
-                    owner: PhantomData,
-                });
-            } else {
-                self.blocks::<LIGHT>(first, len, fits, &mut run);
-            }
-            left -= len;
-            block[last] = 0;
-            for &axis in axes[..count - 1].iter().rev() {
-                block[axis] += 1;
-                if block[axis] < self.blocks[axis] {
-                    break;
-                }
-                block[axis] = 0;
-            }
-        }
+        self.visit_by::<LIGHT>(units, fits, &mut run);
     }
 
     #[inline(always)]

@@ -1,5 +1,7 @@
 //! Blocks of sparse branches by their places: where [`Map`] meets a [`Store`].
 
+use core::ops::Range;
+
 use super::levels::{Block, Brick, Levels, ListSpec};
 use super::node::Root;
 use super::{Geometry, Inner, Layout, Map};
@@ -354,30 +356,53 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
         if const { L::BRANCHES > 1 } && !Self::here(m) {
             return Map::<R, L::Rest, X>::active(&geometry.rest::<L, X>(), store, m);
         }
+        if const { !Self::SPARSE } {
+            return ActiveList::default();
+        }
         let roots = Self::roots(geometry, store);
-        let mut parts = each_part_of(ROOTS, roots.count, |part| {
-            let mut list = ActiveList::new(L::CHAIN.bits().div_ceil(64));
+        let noted =
+            Noted { bits: L::CHAIN.bits(), bits_at: Self::SIZES.bits_at, grain: Self::GRAIN, cells: L::CHAIN.cells };
+        noted.all(roots.count, &|part, list| {
             for n in part {
                 let (cell, first) = Self::root(geometry, store, &roots, n);
                 // SAFETY: a cell of the store's root is a node of the uppermost level, whose first block this is.
-                unsafe { <L::Levels as Levels<X>>::walk(cell, first, &mut |brick| Self::note(&mut list, &brick)) };
+                unsafe { <L::Levels as Levels<X>>::walk(cell, first, &mut |brick| noted.put(&brick, list)) };
             }
+        })
+    }
+}
+
+/// What of a branch is to be known to tell its active elements: of each block, bits of activity, where they begin, cells that share one, and cells.
+#[derive(Clone, Copy)]
+struct Noted {
+    bits: usize,
+    bits_at: usize,
+    grain: usize,
+    cells: usize,
+}
+
+impl Noted {
+    /// The active elements of a branch, whose root has so many cells: `walk` puts the blocks of some into a list.
+    fn all(self, roots: usize, walk: &(dyn Fn(Range<usize>, &mut ActiveList) + Sync)) -> ActiveList {
+        let empty = || ActiveList::new(self.bits.div_ceil(64));
+        let mut parts = each_part_of(ROOTS, roots, |part| {
+            let mut list = empty();
+            walk(part, &mut list);
             list
         })
         .into_iter();
-        let mut list = parts.next().unwrap_or_else(|| ActiveList::new(L::CHAIN.bits().div_ceil(64)));
+        let mut list = parts.next().unwrap_or_else(empty);
         parts.for_each(|part| list.append(&part));
         list
     }
 
     /// Adds a block to the active ones, if it has active elements.
-    fn note(list: &mut ActiveList, brick: &Brick) {
-        let (bits, words) = (L::CHAIN.bits(), list.words);
-        let work = if bits > 0 {
+    fn put(self, brick: &Brick, list: &mut ActiveList) {
+        let work = if self.bits > 0 {
             let before = list.bits.len();
             let mut count = 0;
-            for word in 0..words {
-                let (bits, _) = Store::bit_of(brick.start, Self::SIZES.bits_at, word * 64);
+            for word in 0..list.words {
+                let (bits, _) = Store::bit_of(brick.start, self.bits_at, word * 64);
                 let bits = bits.load(core::sync::atomic::Ordering::Relaxed);
                 count += bits.count_ones() as usize;
                 list.bits.push(bits);
@@ -385,9 +410,9 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
             if count == 0 {
                 list.bits.truncate(before);
             }
-            count * Self::GRAIN
+            count * self.grain
         } else {
-            brick.entries.min(L::CHAIN.cells)
+            brick.entries.min(self.cells)
         };
         list.push(brick, work);
     }

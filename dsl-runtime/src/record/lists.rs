@@ -71,7 +71,7 @@ macro_rules! list {
                 T::members_mut::<R, P, L, X>(Self::members_mut::<R, P, L, X>(handle))
             }
             #[inline(always)]
-            unsafe fn gather(at: impl Fn(usize) -> (*mut u8, usize)) -> Self {
+            unsafe fn gather(at: impl Fn(usize) -> (*mut u8, usize) + Copy) -> Self {
                 ($({
                     // SAFETY: the caller promises readable members; `at` names each one's first component and their distance.
                     let elements = unsafe {
@@ -85,7 +85,7 @@ macro_rules! list {
             }
             #[inline(always)]
             #[allow(non_snake_case, reason = "the variables are named after the types")]
-            unsafe fn scatter(self, at: impl Fn(usize) -> (*mut u8, usize)) {
+            unsafe fn scatter(self, at: impl Fn(usize) -> (*mut u8, usize) + Copy) {
                 let ($($entry,)+) = self;
                 $({
                     let elements = $entry.into_elements();

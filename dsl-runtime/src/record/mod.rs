@@ -222,12 +222,12 @@ pub trait ElementList: Copy + Send + Sync + sealed::List + 'static {
     ///
     /// # Safety
     /// All components must be readable and hold values.
-    unsafe fn gather(at: impl Fn(usize) -> (*mut u8, usize)) -> Self;
+    unsafe fn gather(at: impl Fn(usize) -> (*mut u8, usize) + Copy) -> Self;
     /// Writes all members; `at` gives each element's first component and the distance of components.
     ///
     /// # Safety
     /// All components must be writable.
-    unsafe fn scatter(self, at: impl Fn(usize) -> (*mut u8, usize));
+    unsafe fn scatter(self, at: impl Fn(usize) -> (*mut u8, usize) + Copy);
     /// What the bytes of an element's components hold that is no value of its type.
     fn wrong(member: usize, bytes: &[u8]) -> Option<i64>;
 }
@@ -272,13 +272,13 @@ impl<E: Element> ElementList for Bare<E> {
         MemberMut::new(handle)
     }
     #[inline(always)]
-    unsafe fn gather(at: impl Fn(usize) -> (*mut u8, usize)) -> Self {
+    unsafe fn gather(at: impl Fn(usize) -> (*mut u8, usize) + Copy) -> Self {
         let (from, component) = at(0);
         // SAFETY: the caller promises that the components are readable; `at` names the first and their distance.
         Self(unsafe { E::gather(from, component) })
     }
     #[inline(always)]
-    unsafe fn scatter(self, at: impl Fn(usize) -> (*mut u8, usize)) {
+    unsafe fn scatter(self, at: impl Fn(usize) -> (*mut u8, usize) + Copy) {
         let (to, component) = at(0);
         // SAFETY: the caller promises that the components are writable; `at` names the first and their distance.
         unsafe { self.0.scatter(to, component) }

@@ -58,7 +58,7 @@ pub trait Path<R: Record>: Copy + Send + Sync + sealed::Path + 'static {
     /// # Safety
     /// The components that the path names must be readable and hold values.
     #[inline(always)]
-    unsafe fn gather(at: impl Fn(usize) -> (*mut u8, usize)) -> Self::Value {
+    unsafe fn gather(at: impl Fn(usize) -> (*mut u8, usize) + Copy) -> Self::Value {
         // SAFETY: the caller promises that the components of the value's elements are readable.
         Self::Value::from_elements(unsafe {
             <Self::Value as Record>::Elements::gather(
@@ -72,7 +72,7 @@ pub trait Path<R: Record>: Copy + Send + Sync + sealed::Path + 'static {
     /// # Safety
     /// The components that the path names must be writable.
     #[inline(always)]
-    unsafe fn scatter(value: Self::Value, at: impl Fn(usize) -> (*mut u8, usize)) {
+    unsafe fn scatter(value: Self::Value, at: impl Fn(usize) -> (*mut u8, usize) + Copy) {
         // SAFETY: the caller promises that the components of the value's elements are writable.
         unsafe {
             value.into_elements().scatter(

@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 use core::sync::atomic::{AtomicU64, Ordering};
 
 use super::tiles::Tiles;
-use crate::axes::{Axes, MAX_AXES, all};
+use crate::axes::{Axes, MAX_AXES, all, per_axis};
 use crate::launch::{Cell, Space, results_of_jobs, run_jobs};
 
 /// Neighbouring elements of a loop: the number of the first, and how many.
@@ -44,15 +44,32 @@ struct Found {
 #[derive(Clone, Copy, Debug)]
 pub struct Coordinates<X>(pub(crate) [i64; MAX_AXES], pub(crate) PhantomData<X>);
 
+/// The box of a loop.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bounds {
+    /// The first of its elements, and the number of elements along each axis.
+    first: [i64; MAX_AXES],
+    extent: [u64; MAX_AXES],
+    /// The axis along which runs lie.
+    axis: usize,
+    /// Elements in all.
+    pub(crate) elements: usize,
+}
+
+impl Bounds {
+    pub(crate) fn of<S: Space>(space: &S) -> Self {
+        let (first, end) = space.bounds();
+        let extent = per_axis(|a| if a < S::RANK { end[a].wrapping_sub(first[a]) as u64 } else { 1 });
+        Self { first, extent, axis: S::AXIS, elements: space.elements() }
+    }
+}
+
 /// Takes the keys of a loop's elements, in the order of the loop.
 #[doc(hidden)]
 #[derive(Debug)]
 pub struct Sink {
     tiles: Tiles,
-    /// The loop's box: the first of its elements, and the number of elements along each axis.
-    first: [i64; MAX_AXES],
-    extent: [u64; MAX_AXES],
-    axis: usize,
+    bounds: Bounds,
     /// The tile of the last key: its first coordinates and extents.
     start: [i64; MAX_AXES],
     within: [u64; MAX_AXES],
@@ -113,14 +130,10 @@ impl Marks {
 }
 
 impl Sink {
-    pub(super) fn new<S: Space>(space: &S, tiles: &Tiles, wanted: Wanted) -> Self {
-        let (first, end) = space.bounds();
-        let extent = |a: usize| if a < S::RANK { (end[a] - first[a]) as u64 } else { 1 };
+    pub(super) fn new(bounds: &Bounds, tiles: &Tiles, wanted: Wanted) -> Self {
         Self {
             tiles: *tiles,
-            first,
-            extent: core::array::from_fn(extent),
-            axis: S::AXIS,
+            bounds: *bounds,
             start: [0; MAX_AXES],
             within: [0; MAX_AXES],
             tile: 0,
@@ -139,7 +152,7 @@ impl Sink {
             self.enter(key);
         }
         let at = cell.at();
-        let along = (at[S::AXIS] - self.first[S::AXIS]) as u64;
+        let along = (at[S::AXIS] - self.bounds.first[S::AXIS]) as u64;
         let number = if S::RANK == 1 { along as u32 } else { self.number(at) };
         match &mut self.open {
             Some(open)
@@ -185,9 +198,10 @@ impl Sink {
 
     /// The number of an element: the loop's run axis is fastest.
     fn number(&self, at: [i64; MAX_AXES]) -> u32 {
+        let Bounds { first, extent, axis, .. } = &self.bounds;
         let mut number = 0;
-        for a in (0..MAX_AXES).filter(|&a| a != self.axis).chain([self.axis]) {
-            number = number * self.extent[a] + (at[a] - self.first[a]) as u64;
+        for a in (0..MAX_AXES).filter(|a| a != axis).chain([*axis]) {
+            number = number * extent[a] + (at[a] - first[a]) as u64;
         }
         number as u32
     }
@@ -225,15 +239,15 @@ struct Job {
 
 impl Bins {
     /// Sorts a loop: `keys` puts those of one of so many blocks into a sink.
-    pub(super) fn new<S: Space>(
-        space: &S,
+    pub(super) fn new(
+        bounds: &Bounds,
         tiles: &Tiles,
         threads: usize,
         blocks: usize,
         keys: &(dyn Fn(usize, &mut Sink) + Sync),
     ) -> Self {
-        let lists = results_of_jobs(threads, blocks, |block| {
-            let mut sink = Sink::new(space, tiles, Wanted::Pieces);
+        let lists = results_of_jobs(threads, blocks, &|block| {
+            let mut sink = Sink::new(bounds, tiles, Wanted::Pieces);
             keys(block, &mut sink);
             sink.close();
             sink.found
@@ -247,7 +261,7 @@ impl Bins {
         let groups = threads.min(lists.len()).max(1);
         let group = |g: usize| lists[lists.len() * g / groups..lists.len() * (g + 1) / groups].iter().flatten();
         // From counts to where each group's pieces of each tile begin.
-        let mut begins = results_of_jobs(threads, groups, |g| {
+        let mut begins = results_of_jobs(threads, groups, &|g| {
             let mut counts = vec![0u32; count];
             group(g).for_each(|found| counts[found.tile as usize] += 1);
             counts
@@ -308,15 +322,15 @@ impl Bins {
 
 /// About how many cells the keys of a loop lie among, between the least and largest; none where it has no keys. Between two keys of a sample
 /// there may be more of the others.
-pub(super) fn cells_around<S: Space>(
-    space: &S,
+pub(super) fn cells_around(
+    bounds: &Bounds,
     tiles: &Tiles,
     rank: usize,
     blocks: usize,
     keys: &(dyn Fn(usize, &mut Sink) + Sync),
 ) -> Option<usize> {
-    let span = span(space, tiles, 1, blocks, keys)?;
-    let mut sink = Sink::new(space, tiles, Wanted::Parts(Marks::new(span, rank)));
+    let span = span(bounds, tiles, 1, blocks, keys)?;
+    let mut sink = Sink::new(bounds, tiles, Wanted::Parts(Marks::new(span, rank)));
     (0..blocks).for_each(|block| keys(block, &mut sink));
     let Wanted::Parts(marks) = sink.wanted else { return None };
     let extents = span.0.iter().zip(&span.1).take(rank).map(|(low, high)| high.abs_diff(*low) as f64 + 1.0);
@@ -324,15 +338,15 @@ pub(super) fn cells_around<S: Space>(
 }
 
 /// The least and largest keys of a loop; none where it has none.
-pub(super) fn span<S: Space>(
-    space: &S,
+pub(super) fn span(
+    bounds: &Bounds,
     tiles: &Tiles,
     threads: usize,
     blocks: usize,
     keys: &(dyn Fn(usize, &mut Sink) + Sync),
 ) -> Option<Span> {
-    let spans = results_of_jobs(threads, blocks, |block| {
-        let mut sink = Sink::new(space, tiles, Wanted::Span(NO_KEYS));
+    let spans = results_of_jobs(threads, blocks, &|block| {
+        let mut sink = Sink::new(bounds, tiles, Wanted::Span(NO_KEYS));
         keys(block, &mut sink);
         match sink.wanted {
             Wanted::Span(span) => span,

@@ -3,7 +3,7 @@
 
 use core::cell::RefCell;
 
-use super::bins::{Bins, Sink, Wanted, cells_around, span};
+use super::bins::{Bins, Bounds, Sink, Wanted, cells_around, span};
 use super::late::Late;
 use super::share::Share;
 use super::tiles::Tiles;
@@ -23,17 +23,23 @@ type Keys<'a, S> = &'a (dyn Fn(Task<'_, S>, &mut Sink) + Sync);
 /// Where the elements of a loop update, before they do.
 #[doc(hidden)]
 pub struct Key<'a, S> {
+    pub(crate) place: Place,
+    pub(crate) keys: Keys<'a, S>,
+}
+
+/// What keys are indices of, and what is updated around them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
     /// The field that keys are indices of.
-    pub(crate) slot: usize,
+    slot: usize,
     reach: ([i64; MAX_AXES], [i64; MAX_AXES]),
     /// Whether all updates are known to lie within the reach.
     pub(crate) certain: bool,
-    pub(crate) keys: Keys<'a, S>,
 }
 
 impl<S> core::fmt::Debug for Key<'_, S> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "Key of slot {}, {:?}", self.slot, self.reach)
+        write!(f, "Key of {:?}", self.place)
     }
 }
 
@@ -49,20 +55,20 @@ pub fn key<'a, const N: usize, S: Space>(
 ) -> Key<'a, S> {
     let wide =
         |offsets: [i64; N]| core::array::from_fn(|a| if N == 1 { offsets[0] } else { *offsets.get(a).unwrap_or(&0) });
-    Key { slot, reach: (wide(low), wide(high)), certain, keys }
+    Key { place: Place { slot, reach: (wide(low), wide(high)), certain }, keys }
 }
 
-impl<S: Space> Key<'_, S> {
+impl Place {
     /// Whether a loop can be sorted by keys of its field, whatever the keys are.
-    pub(crate) fn is_possible(&self, space: &S, targets: &[&dyn Scattered]) -> bool {
+    pub(crate) fn is_possible(&self, bounds: &Bounds, targets: &[&dyn Scattered]) -> bool {
         let rank = targets[self.slot].rank();
-        S::DIVISIBLE && rank > 0 && targets.iter().all(|t| t.rank() == rank) && u32::try_from(space.elements()).is_ok()
+        rank > 0 && targets.iter().all(|t| t.rank() == rank) && u32::try_from(bounds.elements).is_ok()
     }
 
     /// Among how many cells a loop of so many blocks accumulates, if neighbouring elements do far from each other, as some of the blocks tell.
     pub(crate) fn scattered_over(
         &self,
-        space: &S,
+        bounds: &Bounds,
         targets: &[&dyn Scattered],
         blocks: usize,
         keys: &(dyn Fn(usize, &mut Sink) + Sync),
@@ -72,39 +78,39 @@ impl<S: Space> Key<'_, S> {
         }
         let asked = [1, 3, 5, 7].map(|n| blocks * n / 8);
         let keys = |n: usize, sink: &mut Sink| keys(asked[n], sink);
-        let tiles = self.tiles(space, targets, 1, asked.len(), &keys);
-        let mut sink = Sink::new(space, &tiles, Wanted::Pieces);
+        let tiles = self.tiles(bounds, targets, 1, asked.len(), &keys);
+        let mut sink = Sink::new(bounds, &tiles, Wanted::Pieces);
         (0..asked.len()).for_each(|n| keys(n, &mut sink));
         let rank = targets[self.slot].rank();
-        sink.is_scattered().then(|| cells_around(space, &tiles, rank, asked.len(), &keys))?
+        sink.is_scattered().then(|| cells_around(bounds, &tiles, rank, asked.len(), &keys))?
     }
 
     /// The tiles for a loop of so many blocks, whose keys `keys` finds.
     fn tiles(
         &self,
-        space: &S,
+        bounds: &Bounds,
         targets: &[&dyn Scattered],
         threads: usize,
         blocks: usize,
         keys: &(dyn Fn(usize, &mut Sink) + Sync),
     ) -> Tiles {
-        let (target, elements) = (targets[self.slot], space.elements());
+        let (target, elements) = (targets[self.slot], bounds.elements);
         let cut = |span| Tiles::new(target.rank(), target.geometry(), target.block(), elements, self.reach, span);
         let tiles = cut(None);
         let roomy = target.geometry().len() / ROOMY > elements;
-        if roomy { cut(span(space, &tiles, threads, blocks, keys)) } else { tiles }
+        if roomy { cut(span(bounds, &tiles, threads, blocks, keys)) } else { tiles }
     }
 
     /// Sorts a loop of so many blocks by its keys, which `keys` finds.
     pub(crate) fn sort(
         &self,
-        space: &S,
+        bounds: &Bounds,
         targets: &[&dyn Scattered],
         threads: usize,
         blocks: usize,
         keys: &(dyn Fn(usize, &mut Sink) + Sync),
     ) -> Bins {
-        Bins::new(space, &self.tiles(space, targets, threads, blocks, keys), threads, blocks, keys)
+        Bins::new(bounds, &self.tiles(bounds, targets, threads, blocks, keys), threads, blocks, keys)
     }
 }
 
@@ -118,7 +124,7 @@ impl Bins {
     ) {
         let mut strays = Vec::new();
         for colour in self.colours() {
-            let lates = results_of_jobs(threads, colour.len(), |n| {
+            let lates = results_of_jobs(threads, colour.len(), &|n| {
                 let number = colour.start + n;
                 let (late, tile) = (RefCell::new(Late::default()), self.tile(number));
                 let share = |target: &&dyn Scattered| {

@@ -9,8 +9,9 @@ mod share;
 mod target;
 mod tiles;
 
+pub(crate) use bins::{Bounds, PackedPiece, Piece};
 pub use bins::{Coordinates, Sink};
-pub(crate) use bins::{PackedPiece, Piece};
+pub(crate) use colored::Place;
 pub use colored::{Key, key};
 pub use combine::Op;
 pub(crate) use late::Late;

@@ -6,7 +6,7 @@ use core::mem::MaybeUninit;
 
 use super::Site;
 use super::probed::note;
-use crate::axes::{Axes, MAX_AXES, per_axis, sum};
+use crate::axes::{Axes, MAX_AXES, for_axes, per_axis, sum};
 use crate::element::Kind as ScalarKind;
 use crate::field::Handle;
 use crate::index::inside;
@@ -394,26 +394,19 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
     fn checked(&self, cell: &RunCell<'_, S>) -> [u32; MAX_AXES] {
         if self.fits && const { any_in_blocks::<S, L, X>() } {
             // Both fields have one origin, and so the same places.
-            let place = cell.place();
-            return per_axis(
-                #[inline(always)]
-                |a| place[a].wrapping_add(self.offset[a]) as u32,
-            );
+            let (place, mut moved) = (cell.place(), [0; MAX_AXES]);
+            for_axes!(X, A => moved[A] = place[A].wrapping_add(self.offset[A]) as u32);
+            return moved;
         }
-        let at = cell.at();
-        let moved = |a: usize| self.offset[a].saturating_sub(i64::from(self.handle.geometry.origin[a]));
+        let (at, geometry) = (cell.at(), &self.handle.geometry);
         if self.fits {
             // The launch has compared the loop's box with the shape.
-            return per_axis(
-                #[inline(always)]
-                |a| at[a].wrapping_add(moved(a)) as u32,
-            );
+            let mut place = [0; MAX_AXES];
+            for_axes!(X, A => place[A] = at[A].wrapping_add(self.offset[A]).wrapping_sub(geometry.origin[A].into()) as u32);
+            return place;
         }
-        let place = per_axis(
-            #[inline(always)]
-            |a| at[a].saturating_add(moved(a)),
-        );
-        let geometry = &self.handle.geometry;
+        let mut place = [0; MAX_AXES];
+        for_axes!(X, A => place[A] = at[A].saturating_add(self.offset[A].saturating_sub(geometry.origin[A].into())));
         let Some(place) = inside::<X>(place, &geometry.shape) else {
             self.site.out_of_range::<X>(per_axis(|a| place[a].saturating_add(i64::from(geometry.origin[a]))), geometry)
         };

@@ -46,22 +46,24 @@ pub(crate) fn lowered<X: Spatial>(v: Vec3) -> X::Vec<f32> {
 
 /// An array of vectors.
 pub(crate) fn vectors<X: Spatial>(name: &'static str, mut vectors: impl Iterator<Item = X::Vec<f32>>) -> Array {
-    vectors_of::<X>(name, &mut vectors)
+    vectors_of::<X>(name, &mut || vectors.next())
 }
 
-fn vectors_of<X: Spatial>(name: &'static str, vectors: &mut dyn Iterator<Item = X::Vec<f32>>) -> Array {
-    Array::numbers(name, X::RANK, vectors.flat_map(|v| (0..X::RANK).map(move |axis| v[axis])))
+/// The same, compiled once for all iterators.
+fn vectors_of<X: Spatial>(name: &'static str, next: &mut dyn FnMut() -> Option<X::Vec<f32>>) -> Array {
+    Array::numbers(name, X::RANK, std::iter::from_fn(next).flat_map(|v| (0..X::RANK).map(move |axis| v[axis])))
 }
 
 /// An array of matrices.
 pub(crate) fn matrices<X: Spatial>(name: &'static str, mut matrices: impl Iterator<Item = X::Mat<f32>>) -> Array {
-    matrices_of::<X>(name, &mut matrices)
+    matrices_of::<X>(name, &mut || matrices.next())
 }
 
-fn matrices_of<X: Spatial>(name: &'static str, matrices: &mut dyn Iterator<Item = X::Mat<f32>>) -> Array {
+/// The same, compiled once for all iterators.
+fn matrices_of<X: Spatial>(name: &'static str, next: &mut dyn FnMut() -> Option<X::Mat<f32>>) -> Array {
     let components =
         |matrix: X::Mat<f32>| (0..X::RANK).flat_map(move |column| (0..X::RANK).map(move |row| matrix.col(column)[row]));
-    Array::numbers(name, X::RANK * X::RANK, matrices.flat_map(components))
+    Array::numbers(name, X::RANK * X::RANK, std::iter::from_fn(next).flat_map(components))
 }
 
 /// The vectors of a saved array.

@@ -5,6 +5,8 @@ use allotrope::prelude::*;
 use allotrope::spatial::*;
 
 use super::MpmSetup;
+use super::convert::vectors;
+use crate::Array;
 
 /// The grid of a scene: of its extents, or without bounds where the layout has none.
 ///
@@ -22,19 +24,23 @@ pub(super) fn shape(setup: &MpmSetup) -> [usize; 3] {
     std::array::from_fn(|axis| if axis < setup.dimensions { setup.grid[axis] } else { 1 })
 }
 
-/// All nodes of the scene, in row-major order, whatever the layout.
+/// The nodes of the scene by their numbers in row-major order, whatever the layout.
 pub(super) fn nodes<'a, R: Record, G: Layout<X>, X: Spatial>(
     grid: &'a Field<R, G, X>,
     shape: [usize; 3],
-) -> impl Iterator<Item = R> + 'a {
-    let count: usize = shape.iter().product();
-    let bounded = (!G::UNBOUNDED).then(|| grid.iter());
-    let place = move |n: usize| [n / (shape[1] * shape[2]), n / shape[2] % shape[1], n % shape[2]];
+) -> impl Fn(usize) -> R + 'a {
     // In a plane the third extent is one.
-    let plane = move |n: usize, axis: usize| place(n)[axis] as i32;
-    let unbounded =
-        (0..if G::UNBOUNDED { count } else { 0 }).map(move |n| grid.get(X::Index::from_fn(|axis| plane(n, axis))));
-    bounded.into_iter().flatten().chain(unbounded)
+    let place = move |n: usize| [n / (shape[1] * shape[2]), n / shape[2] % shape[1], n % shape[2]];
+    move |n| grid.get(X::Index::from_fn(|axis| place(n)[axis] as i32))
+}
+
+/// The arrays of velocity and mass of the nodes, compiled once for all layouts.
+pub(super) fn arrays<X: Spatial>(shape: [usize; 3], node: &dyn Fn(usize) -> (X::Vec<f32>, f32)) -> Vec<Array> {
+    let count: usize = shape.iter().product();
+    vec![
+        Array::floats("mass", (0..count).map(|n| [node(n).1])),
+        vectors::<X>("velocity", (0..count).map(|n| node(n).0)),
+    ]
 }
 
 /// A sum over the nodes; over those that are held, where the layout is sparse.

@@ -127,6 +127,28 @@ impl MemoryMap<'_> {
         self.bytes - self.allocations.iter().map(|allocation| allocation.bytes).sum::<usize>()
     }
 
+    /// A map without the blocks of sparse branches; `dense` are address and bytes of the memory of the others.
+    fn new(
+        shape: &[usize],
+        geometry: Geometry,
+        (specs, names): (&[MemberSpec], &[&'static str]),
+        plans: Vec<Plan>,
+        bytes: usize,
+        dense: (usize, usize),
+    ) -> Self {
+        let branches: Vec<Branch> = plans.into_iter().map(Branch::of).collect();
+        let any_dense = branches.iter().any(|branch| !branch.plan.chain.is_sparse());
+        Self {
+            shape: shape.to_vec(),
+            geometry,
+            members: specs.iter().zip(names).map(|(spec, name)| MapMember::of(name, spec)).collect(),
+            branches,
+            allocations: any_dense.then(|| Allocation::dense(dense.0, dense.1)).into_iter().collect(),
+            bytes,
+            field: PhantomData,
+        }
+    }
+
     /// Notes a block.
     fn push(&mut self, branch: usize, brick: &Brick) {
         let Plan { chain, brick: (bytes, bits_at), .. } = self.branches[branch].plan;
@@ -175,25 +197,16 @@ impl<R: Record, L: Layout<X>, X: Axes> Field<R, L, X> {
         let handle = self.handle();
         let mut plans = Vec::new();
         Map::<R, L, X>::plans(&handle.geometry, 0, &mut plans);
-        let specs = R::Elements::MEMBERS.iter().zip(Names::<R>::ALL);
-        let mut map = MemoryMap {
-            shape: self.shape().as_ref().to_vec(),
-            geometry: handle.geometry,
-            members: specs.map(|(spec, name)| MapMember::of(name, spec)).collect(),
-            branches: plans.into_iter().map(Branch::of).collect(),
-            allocations: Vec::new(),
-            bytes: self.bytes(),
-            field: PhantomData,
-        };
-        if map.branches.iter().any(|branch| !branch.plan.chain.is_sparse()) {
-            map.allocations
-                .push(Allocation::dense(self.storage.start().expose_provenance(), self.storage.memory_bytes()));
-        }
-        let mut sparse = branches::<R, L, X>();
-        sparse.sort_unstable_by_key(|&m| Map::<R, L, X>::branch(m));
-        for m in sparse {
-            let branch = Map::<R, L, X>::branch(m);
-            Map::<R, L, X>::walk(&handle.geometry, handle.store(m), m, &mut |brick| map.push(branch, &brick));
+        let dense = (self.storage.start().expose_provenance(), self.storage.memory_bytes());
+        let names = (R::Elements::MEMBERS, Names::<R>::ALL);
+        let mut map = MemoryMap::new(self.shape().as_ref(), handle.geometry, names, plans, self.bytes(), dense);
+        if const { Map::<R, L, X>::any_sparse() } {
+            let mut sparse: Vec<_> =
+                branches::<R, L, X>().into_iter().map(|m| (Map::<R, L, X>::branch(m), m)).collect();
+            sparse.sort_unstable();
+            for (branch, m) in sparse {
+                Map::<R, L, X>::walk(&handle.geometry, handle.store(m), m, &mut |brick| map.push(branch, &brick));
+            }
         }
         map
     }

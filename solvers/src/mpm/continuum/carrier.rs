@@ -27,7 +27,7 @@ pub(in crate::mpm) trait Carrier<X: Dimensions>: Send + Sync + 'static {
     /// Puts what every particle holds, but for velocity and its gradient.
     fn set_body(point: &mut Self::Point, body: &Body<X>);
     /// What this one's particles carry.
-    fn carried(points: &mut dyn Iterator<Item = Self::Point>) -> Vec<Array>;
+    fn carried(count: usize, point: &dyn Fn(usize) -> Self::Point) -> Vec<Array>;
     /// Puts it.
     fn set_carried<P: Layout<I>>(points: &mut Field<Self::Point, P>, state: &State) -> Result<(), String>;
     /// Velocity and mass.
@@ -113,9 +113,11 @@ impl<X: Dimensions> Carrier<X> for Affine {
         Body { x, v, c, stress, mass, deformation_gradient, plastic, material }
     }
 
-    fn carried(points: &mut dyn Iterator<Item = AffinePoint<X>>) -> Vec<Array> {
-        let (v, c): (Vec<_>, Vec<_>) = points.map(|point| (point.v, point.c)).unzip();
-        vec![vectors::<X>("velocity", v.into_iter()), matrices::<X>("velocity_gradient", c.into_iter())]
+    fn carried(count: usize, point: &dyn Fn(usize) -> AffinePoint<X>) -> Vec<Array> {
+        vec![
+            vectors::<X>("velocity", (0..count).map(|p| point(p).v)),
+            matrices::<X>("velocity_gradient", (0..count).map(|p| point(p).c)),
+        ]
     }
 
     fn set_carried<P: Layout<I>>(points: &mut Field<AffinePoint<X>, P>, state: &State) -> Result<(), String> {
@@ -168,8 +170,8 @@ impl<X: Dimensions> Carrier<X> for Plain {
         Body { x, v, c: X::Mat::<f32>::zero(), stress, mass, deformation_gradient, plastic, material }
     }
 
-    fn carried(points: &mut dyn Iterator<Item = PlainPoint<X>>) -> Vec<Array> {
-        vec![vectors::<X>("velocity", points.map(|point| point.v))]
+    fn carried(count: usize, point: &dyn Fn(usize) -> PlainPoint<X>) -> Vec<Array> {
+        vec![vectors::<X>("velocity", (0..count).map(|p| point(p).v))]
     }
 
     fn set_carried<P: Layout<I>>(points: &mut Field<PlainPoint<X>, P>, state: &State) -> Result<(), String> {
@@ -222,12 +224,12 @@ impl<X: Dimensions> Carrier<X> for Polynomial {
         Body { x, v: coefficients[0], c, stress, mass, deformation_gradient, plastic, material }
     }
 
-    fn carried(points: &mut dyn Iterator<Item = PolynomialPoint<X>>) -> Vec<Array> {
+    fn carried(count: usize, point: &dyn Fn(usize) -> PolynomialPoint<X>) -> Vec<Array> {
         let components = |point: PolynomialPoint<X>| {
             let numbers = |n: usize| point.modes.as_ref()[n / X::RANK][n % X::RANK];
             (0..X::RANK * X::MODES.len()).map(numbers).collect::<Vec<_>>()
         };
-        vec![Array::numbers("modes", X::RANK * X::MODES.len(), points.flat_map(components))]
+        vec![Array::numbers("modes", X::RANK * X::MODES.len(), (0..count).map(point).flat_map(components))]
     }
 
     fn set_carried<P: Layout<I>>(points: &mut Field<PolynomialPoint<X>, P>, state: &State) -> Result<(), String> {

@@ -40,24 +40,81 @@ pub(in crate::mpm) struct Body<X: Spatial> {
     pub(super) material: u32,
 }
 
+impl<X: Dimensions> Body<X> {
+    /// A particle of a scene.
+    fn of(setup: &MpmSetup, particles: &Particles, p: usize) -> Self {
+        let material = &setup.materials[particles.material[p] as usize];
+        Self {
+            x: vector::<X, f32>(particles.x[p]),
+            v: vector::<X, f32>(particles.v[p]),
+            c: matrix::<X, f32>(particles.c[p]),
+            stress: X::Mat::<f32>::zero(),
+            mass: (setup.particle_volume() * material.density) as f32,
+            deformation_gradient: X::Mat::<f32>::identity(),
+            plastic: Vec2::from_array(material.model.initial_plastic()),
+            material: particles.material[p],
+        }
+    }
+}
+
+/// Changes the particle of a number by a function.
+type Changing<'a, X> = dyn FnMut(usize, &dyn Fn(&mut Body<X>)) + 'a;
+
+/// Puts saved members of so many particles in their places, compiled once for all layouts: `set` is given what changes each.
+fn set_bodies<X: Dimensions>(
+    state: &State,
+    count: usize,
+    materials: usize,
+    body: &dyn Fn(usize) -> Body<X>,
+    set: &mut Changing<'_, X>,
+) -> Result<(), String> {
+    let x = saved_vectors::<X>(state, "position", count)?;
+    let stress = saved_matrices::<X>(state, "stress", count)?;
+    let deformation_gradient = saved_matrices::<X>(state, "deformation_gradient", count)?;
+    let plastic = state.floats::<2>("plastic", count)?;
+    let material = state.whole("material", count)?;
+    if let Some(unknown) = material.iter().find(|&&material| material as usize >= materials) {
+        return Err(format!("array `material` holds {unknown}, and there are {materials} materials"));
+    }
+    // A particle's mass follows from its material; in another order, another particle's is in its place.
+    let mut mass = vec![0.0; materials];
+    for body in (0..count).map(body) {
+        mass[body.material as usize] = body.mass;
+    }
+    for p in 0..count {
+        set(p, &|body| {
+            *body = Body {
+                x: x(p),
+                stress: stress(p),
+                mass: mass[material[p] as usize],
+                deformation_gradient: deformation_gradient(p),
+                plastic: Vec2::from_array(plastic[p]),
+                material: material[p],
+                ..*body
+            };
+        });
+    }
+    Ok(())
+}
+
+/// The arrays of what so many particles hold, compiled once for all layouts.
+fn arrays_of_bodies<X: Dimensions>(count: usize, body: &dyn Fn(usize) -> Body<X>) -> Vec<Array> {
+    vec![
+        vectors::<X>("position", (0..count).map(|p| body(p).x)),
+        matrices::<X>("stress", (0..count).map(|p| body(p).stress)),
+        matrices::<X>("deformation_gradient", (0..count).map(|p| body(p).deformation_gradient)),
+        Array::floats("plastic", (0..count).map(|p| body(p).plastic.to_array())),
+        Array::whole("material", (0..count).map(|p| body(p).material).collect()),
+    ]
+}
+
 impl<X: Dimensions, C: Carrier<X>, P: Layout<I>, G: Layout<X>> Medium for Continuum<X, C, P, G> {
     fn new(scene: &Scene, setup: &MpmSetup, particles: &Particles) -> Result<Self, String> {
         let fault = |error: allotrope::ShapeError| error.to_string();
         let mpm = Transfers::new(scene, setup);
         let mut points = Field::<C::Point, P>::try_new([particles.x.len()]).map_err(fault)?;
         for p in 0..particles.x.len() {
-            let material = &setup.materials[particles.material[p] as usize];
-            let body = Body {
-                x: vector::<X, f32>(particles.x[p]),
-                v: vector::<X, f32>(particles.v[p]),
-                c: matrix::<X, f32>(particles.c[p]),
-                stress: X::Mat::<f32>::zero(),
-                mass: (setup.particle_volume() * material.density) as f32,
-                deformation_gradient: X::Mat::<f32>::identity(),
-                plastic: Vec2::from_array(material.model.initial_plastic()),
-                material: particles.material[p],
-            };
-            points.set(p, C::point(&body, &mpm));
+            points.set(p, C::point(&Body::of(setup, particles, p), &mpm));
         }
         let grid = grid::make(setup)?;
         let materials = setup.materials.iter().map(|material| material.model).collect();
@@ -123,61 +180,34 @@ impl<X: Dimensions, C: Carrier<X>, P: Layout<I>, G: Layout<X>> Medium for Contin
     }
 
     fn members(&self) -> Vec<Array> {
-        // What the arrays are made by is then compiled once, not in each layout.
-        let bodies = || -> Box<dyn Iterator<Item = Body<X>> + '_> {
-            Box::new(self.points.iter().map(|point| C::body(&point, &self.mpm)))
-        };
-        let mut arrays = vec![
-            vectors::<X>("position", bodies().map(|body| body.x)),
-            matrices::<X>("stress", bodies().map(|body| body.stress)),
-            matrices::<X>("deformation_gradient", bodies().map(|body| body.deformation_gradient)),
-            Array::floats("plastic", bodies().map(|body| body.plastic.to_array())),
-            Array::whole("material", bodies().map(|body| body.material).collect()),
-        ];
-        arrays.extend(C::carried(&mut self.points.iter()));
+        let mut arrays = arrays_of_bodies(self.len(), &|p| C::body(&self.points.get(p), &self.mpm));
+        arrays.extend(C::carried(self.len(), &|p| self.points.get(p)));
         arrays
     }
 
     fn set_members(&mut self, state: &State) -> Result<(), String> {
-        let count = self.len();
-        let x = saved_vectors::<X>(state, "position", count)?;
-        let stress = saved_matrices::<X>(state, "stress", count)?;
-        let deformation_gradient = saved_matrices::<X>(state, "deformation_gradient", count)?;
-        let plastic = state.floats::<2>("plastic", count)?;
-        let material = state.whole("material", count)?;
-        if let Some(unknown) = material.iter().find(|&&material| material as usize >= self.materials.len()) {
-            return Err(format!("array `material` holds {unknown}, and there are {} materials", self.materials.len()));
-        }
         let mut points = self.points.clone();
         C::set_carried(&mut points, state)?;
-        // A particle's mass follows from its material; in another order, another particle's is in its place.
-        let mut mass = vec![0.0; self.materials.len()];
-        for body in self.points.iter().map(|point| C::body(&point, &self.mpm)) {
-            mass[body.material as usize] = body.mass;
-        }
-        for p in 0..count {
-            let mut point = points.get(p);
-            let body = Body {
-                x: x(p),
-                stress: stress(p),
-                mass: mass[material[p] as usize],
-                deformation_gradient: deformation_gradient(p),
-                plastic: Vec2::from_array(plastic[p]),
-                material: material[p],
-                ..C::body(&point, &self.mpm)
-            };
-            C::set_body(&mut point, &body);
-            points.set(p, point);
-        }
+        set_bodies(
+            state,
+            self.len(),
+            self.materials.len(),
+            &|p| C::body(&self.points.get(p), &self.mpm),
+            &mut |p, set| {
+                let mut point = points.get(p);
+                let mut body = C::body(&point, &self.mpm);
+                set(&mut body);
+                C::set_body(&mut point, &body);
+                points.set(p, point);
+            },
+        )?;
         self.points = points;
         Ok(())
     }
 
     fn nodes(&self) -> Vec<Array> {
-        vec![
-            Array::floats("mass", grid::nodes(&self.grid, self.shape).map(|node| [C::node(&node).1])),
-            vectors::<X>("velocity", grid::nodes(&self.grid, self.shape).map(|node| C::node(&node).0)),
-        ]
+        let node = grid::nodes(&self.grid, self.shape);
+        grid::arrays::<X>(self.shape, &|n| C::node(&node(n)))
     }
 
     fn grid_mass(&self) -> f64 {

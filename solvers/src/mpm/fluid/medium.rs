@@ -28,6 +28,16 @@ pub(in crate::mpm) struct Fluid<X: Spatial, P: Layout<I>, G: Layout<X>> {
     mpm: Mpm<X>,
 }
 
+/// The arrays of what so many particles hold, compiled once for all layouts.
+fn arrays_of_points<X: Spatial>(count: usize, point: &dyn Fn(usize) -> Point<X>) -> Vec<Array> {
+    vec![
+        vectors::<X>("position", (0..count).map(|p| point(p).x)),
+        vectors::<X>("velocity", (0..count).map(|p| point(p).v)),
+        matrices::<X>("velocity_gradient", (0..count).map(|p| point(p).c)),
+        Array::floats("volume_ratio", (0..count).map(|p| [point(p).j])),
+    ]
+}
+
 impl<X: Spatial, P: Layout<I>, G: Layout<X>> Medium for Fluid<X, P, G> {
     fn new(scene: &Scene, setup: &MpmSetup, particles: &Particles) -> Result<Self, String> {
         let fault = |error: allotrope::ShapeError| error.to_string();
@@ -81,12 +91,7 @@ impl<X: Spatial, P: Layout<I>, G: Layout<X>> Medium for Fluid<X, P, G> {
     }
 
     fn members(&self) -> Vec<Array> {
-        vec![
-            vectors::<X>("position", self.points.iter().map(|point| point.x)),
-            vectors::<X>("velocity", self.points.iter().map(|point| point.v)),
-            matrices::<X>("velocity_gradient", self.points.iter().map(|point| point.c)),
-            Array::floats("volume_ratio", self.points.iter().map(|point| [point.j])),
-        ]
+        arrays_of_points(self.len(), &|p| self.points.get(p))
     }
 
     fn set_members(&mut self, state: &State) -> Result<(), String> {
@@ -102,10 +107,11 @@ impl<X: Spatial, P: Layout<I>, G: Layout<X>> Medium for Fluid<X, P, G> {
     }
 
     fn nodes(&self) -> Vec<Array> {
-        vec![
-            Array::floats("mass", grid::nodes(&self.grid, self.shape).map(|node| [node.m])),
-            vectors::<X>("velocity", grid::nodes(&self.grid, self.shape).map(|node| node.v)),
-        ]
+        let node = grid::nodes(&self.grid, self.shape);
+        grid::arrays::<X>(self.shape, &|n| {
+            let Node { v, m } = node(n);
+            (v, m)
+        })
     }
 
     fn grid_mass(&self) -> f64 {
