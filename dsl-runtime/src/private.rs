@@ -11,7 +11,7 @@ pub use crate::launch::{Batch, InLanes, Lane, Lanes, Mask, Part, Width, ends};
 pub use crate::launch::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, sifted};
 pub use crate::launch::{
     Cell, Options, Outs, Partial, Reduction, Run, Space, Strip, Task, interior, launch, launch_inside,
-    launch_inside_keyed, launch_keyed, launch_own, of_branch, over, range, reduction,
+    launch_inside_keyed, launch_keyed, launch_own, of_branch, over, range, reduction, still,
 };
 pub use crate::layout::{Brick, Head, ListSpec, Root, TreeSpec};
 pub use crate::number::{BitAnd, BitOr, BitXor, ComponentMul, Max, Min, Product, Sum};

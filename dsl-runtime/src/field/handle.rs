@@ -95,6 +95,16 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
         if const { Map::<R, L, X>::any_sparse() } { Paths::new() } else { Paths::none() }
     }
 
+    /// The bytes of a field whose layout is dense, or of a slice, which ends with its last element.
+    #[inline(always)]
+    pub(crate) fn dense_bytes(&self) -> usize {
+        if const { Map::<R, L, X>::is_one_run() } {
+            let (item, repeats) = const { Map::<R, L, X>::run_item() };
+            return self.geometry.cells * repeats * item;
+        }
+        Map::<R, L, X>::bytes(&self.geometry).expect("the field has been allocated")
+    }
+
     /// What holds the blocks of a member's branch.
     #[inline(always)]
     pub(crate) fn store(&self, m: usize) -> &Store {

@@ -36,6 +36,9 @@ pub trait Source: Sealed + Sync {
     type Path: Path<Self::Record, Value = Self::Value>;
     #[doc(hidden)]
     const PATH: Self::Path;
+    /// Whether a reference borrows all of the memory, rather than some members of records.
+    #[doc(hidden)]
+    const WHOLE: bool;
     #[doc(hidden)]
     fn handle(&self) -> Handle<'_, Self::Record, Self::Layout, Self::Axes>;
 }
@@ -212,6 +215,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Source for Field<R, L, X> {
     type Value = R;
     type Path = Whole;
     const PATH: Whole = Whole;
+    const WHOLE: bool = true;
     #[inline(always)]
     fn handle(&self) -> Handle<'_, R, L, X> {
         Field::handle(self)
@@ -234,6 +238,7 @@ macro_rules! members {
             type Value = P::Value;
             type Path = P;
             const PATH: P = P::PATH;
+            const WHOLE: bool = false;
             #[inline(always)]
             fn handle(&self) -> Handle<'_, R, L, X> {
                 *$member::handle(self)
@@ -263,6 +268,7 @@ impl<T: Packed> Source for [T] {
     type Value = T;
     type Path = Whole;
     const PATH: Whole = Whole;
+    const WHOLE: bool = true;
     #[inline]
     fn handle(&self) -> Handle<'_, T, Aos, I> {
         // The address serves for reading alone: whoever writes has it from `handle_mut`.

@@ -11,6 +11,7 @@ pub(crate) mod reduction;
 mod run;
 mod sieve;
 mod space;
+mod still;
 
 /// What queue and posts are made of: their tests model it.
 mod sync {
@@ -31,6 +32,9 @@ pub(crate) use run::{apart, copies_rows, stay_scalar};
 pub use sieve::{Border, Checkerboard, Colored, Sieve, Sifted, TwoColours, sift, sifted};
 pub use space::{Space, interior, of_branch, over, range};
 pub(crate) use space::{any_in_blocks, is_in_blocks};
+pub(crate) use still::Still;
+pub use still::still;
+use still::{All, Memory};
 
 use crate::scatter::{self, Bounds, Key, PackedPiece, Place, Scattered, Share, Sink, Tiled};
 use crate::schedule::{Inside, Scatter, Schedule};
@@ -52,6 +56,8 @@ pub struct Options<'a> {
     pub scatter: Option<Scatter>,
     /// The fields that the loop accumulates into, by slot.
     pub targets: &'a [&'a dyn Scattered],
+    /// The memory of fields that the loop only reads, where it is known.
+    pub still: All<'a>,
     /// If iterations read and change elements of each other: whether every component there can be reached atomically.
     pub together: Option<bool>,
     /// Whether the loop takes places in lists, whose order is that of the loop under `deterministic`.
@@ -78,6 +84,7 @@ pub struct Task<'t, S> {
     /// Elements that are visited beside those of the units.
     pieces: &'t [PackedPiece],
     shares: &'t [Share<'t>],
+    still: All<'t>,
     owner: PhantomData<*mut ()>,
 }
 
@@ -95,9 +102,9 @@ struct Portion<'t> {
 
 impl<'t, S: Space> Task<'t, S> {
     #[inline(always)]
-    fn new(space: &'t S, fits: bool, portion: Portion<'t>) -> Self {
+    fn new(space: &'t S, fits: bool, still: All<'t>, portion: Portion<'t>) -> Self {
         let Portion { units, atomic, alone, pieces, shares } = portion;
-        Self { space, units, fits, atomic, alone, fused: FUSED, pieces, shares, owner: PhantomData }
+        Self { space, units, fits, atomic, alone, fused: FUSED, pieces, shares, still, owner: PhantomData }
     }
 
     /// Visits the task's runs in memory order. Whole runs of blocks are written out: for small bodies.
@@ -139,6 +146,12 @@ impl<'t, S: Space> Task<'t, S> {
         self.shares[slot]
     }
 
+    /// Where the memory at a place of [`Options::still`] begins.
+    #[inline(always)]
+    pub(crate) fn still(&self, place: usize) -> *mut u8 {
+        self.still[place].as_ptr().cast_mut().cast()
+    }
+
     #[inline(always)]
     pub(crate) fn atomic(&self) -> bool {
         self.atomic
@@ -172,40 +185,53 @@ const FUSED: bool = cfg!(target_feature = "fma") || cfg!(target_arch = "aarch64"
 /// assertions, whose bodies are no part of the loops around them, have that one alone. So has a loop that accumulates on an x86-64 without AVX2:
 /// a plain version for it would be a quarter of the time that such loops take to build.
 mod versions {
-    use super::{FUSED, Space, Task};
+    use super::{All, FUSED, Memory, Space, Task};
 
     #[inline(always)]
-    fn plain<const TILED: bool, const FUSED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
+    fn plain<'t, const TILED: bool, const FUSED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
         body: &F,
-        task: Task<'_, S>,
+        task: Task<'t, S>,
+        still: All<'t>,
     ) -> Out {
         let pieces = if TILED { task.pieces } else { &[] };
-        body(Task { pieces, fits: true, atomic: false, fused: FUSED, ..task })
+        body(Task { pieces, fits: true, atomic: false, fused: FUSED, still, ..task })
     }
 
-    pub(super) fn baseline<const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
+    pub(super) fn baseline<'t, const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
         body: &F,
-        task: Task<'_, S>,
+        task: Task<'t, S>,
+        a: Memory<'t>,
+        b: Memory<'t>,
+        c: Memory<'t>,
+        d: Memory<'t>,
     ) -> Out {
-        plain::<TILED, FUSED, S, Out, F>(body, task)
+        plain::<TILED, FUSED, S, Out, F>(body, task, [a, b, c, d])
     }
 
     #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
     #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
-    pub(super) fn avx2<const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
+    pub(super) fn avx2<'t, const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
         body: &F,
-        task: Task<'_, S>,
+        task: Task<'t, S>,
+        a: Memory<'t>,
+        b: Memory<'t>,
+        c: Memory<'t>,
+        d: Memory<'t>,
     ) -> Out {
-        plain::<TILED, true, S, Out, F>(body, task)
+        plain::<TILED, true, S, Out, F>(body, task, [a, b, c, d])
     }
 
     #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
     #[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq,avx512vl,avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
-    pub(super) fn avx512<const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
+    pub(super) fn avx512<'t, const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
         body: &F,
-        task: Task<'_, S>,
+        task: Task<'t, S>,
+        a: Memory<'t>,
+        b: Memory<'t>,
+        c: Memory<'t>,
+        d: Memory<'t>,
     ) -> Out {
-        plain::<TILED, true, S, Out, F>(body, task)
+        plain::<TILED, true, S, Out, F>(body, task, [a, b, c, d])
     }
 
     pub(super) fn careful<const FITS: bool, const TILED: bool, S: Space, Out, F: Fn(Task<'_, S>) -> Out>(
@@ -228,14 +254,18 @@ fn dispatch<const OWN: bool, const FITS: bool, const TILED: bool, S: Space, Out,
     if const { cfg!(debug_assertions) } || const { !OWN } && asks(cpu) {
         return versions::careful::<FITS, TILED, S, Out, F>(body, task);
     }
+    // One by one: of arguments alone the optimiser knows what a reference is.
+    let [a, b, c, d] = task.still;
     match cpu {
         // SAFETY: `Cpu::chosen` and `Schedule::run` admit only instruction sets that the processor has.
         #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
-        Cpu::Avx512 => unsafe { versions::avx512::<TILED, S, Out, F>(body, task) },
+        Cpu::Avx512 => unsafe { versions::avx512::<TILED, S, Out, F>(body, task, a, b, c, d) },
         // SAFETY: as above.
         #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
-        Cpu::Avx2 => unsafe { versions::avx2::<TILED, S, Out, F>(body, task) },
-        _ if const { OWN || !cfg!(target_arch = "x86_64") } => versions::baseline::<TILED, S, Out, F>(body, task),
+        Cpu::Avx2 => unsafe { versions::avx2::<TILED, S, Out, F>(body, task, a, b, c, d) },
+        _ if const { OWN || !cfg!(target_arch = "x86_64") } => {
+            versions::baseline::<TILED, S, Out, F>(body, task, a, b, c, d)
+        }
         _ => unreachable!("loops that accumulate have no plain version of the baseline"),
     }
 }
@@ -255,6 +285,7 @@ trait Tasks: Sync {
 struct Bodies<'a, const OWN: bool, const FITS: bool, const TILED: bool, S, Out, F> {
     space: &'a S,
     fits: bool,
+    still: All<'a>,
     key: Option<&'a Key<'a, S>>,
     body: F,
     outs: Slots<Out>,
@@ -278,7 +309,7 @@ where
     }
 
     fn run(&self, n: usize, cpu: Cpu, portion: Portion<'_>) {
-        let task = Task::new(self.space, self.fits, portion);
+        let task = Task::new(self.space, self.fits, self.still, portion);
         let out = dispatch::<OWN, FITS, TILED, S, Out, F>(cpu, &self.body, task);
         if const { Self::KEEPS } {
             self.outs.put(n, out);
@@ -289,7 +320,7 @@ where
         if const { TILED }
             && let Some(key) = self.key
         {
-            (key.keys)(Task::new(self.space, self.fits, portion), sink);
+            (key.keys)(Task::new(self.space, self.fits, self.still, portion), sink);
         }
     }
 }
@@ -304,7 +335,14 @@ fn all<const OWN: bool, const FITS: bool, const TILED: bool, S: Space, Out: Send
     assert!(!(OWN || FITS) || options.fits, "rows that might not fit have a version that asks");
     assert!(!OWN || options.targets.is_empty(), "a loop that accumulates has a version that does so atomically");
     let place = key.map(|key| key.place);
-    let mut tasks = Bodies::<OWN, FITS, TILED, S, Out, F> { space, fits: options.fits, key, body, outs: Slots::new(0) };
+    let mut tasks = Bodies::<OWN, FITS, TILED, S, Out, F> {
+        space,
+        fits: options.fits,
+        still: options.still,
+        key,
+        body,
+        outs: Slots::new(0),
+    };
     start(extent_of(space), options, place, &mut tasks);
     tasks.outs.take()
 }

@@ -103,12 +103,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Target<'_, '_, R, L, X> {
 
     /// The scalars of a memory that is one line. A slice ends with its last element, a field somewhere behind it.
     fn scalars(&self, scalar: usize) -> usize {
-        if const { Map::<R, L, X>::is_one_run() } {
-            let (item, repeats) = const { Map::<R, L, X>::run_item() };
-            self.handle.geometry.cells * repeats * (item / scalar)
-        } else {
-            self.bytes() / scalar
-        }
+        self.handle.dense_bytes() / scalar
     }
 
     /// A block of the sparse branch that a member stands in as one line, if the scalars' kind and operator are the same for all of it.

@@ -32,7 +32,7 @@ pub use free::OwnFree;
 use crate::axes::{Axes, MAX_AXES, padded};
 use crate::element::{Element, Packed};
 use crate::field::{Handle, Source, SourceMut, Spans};
-use crate::launch::{Border, Run, Space, Task, TwoColours};
+use crate::launch::{Border, Run, Space, Still, Task, TwoColours};
 use crate::layout::{Geometry, Layout, Map};
 use crate::record::{ElementList, Path, Record};
 use crate::scatter::{Coordinates, Window};
@@ -147,6 +147,25 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, const WRITE: bool> View<'a, R, L, X, 
             return View { handle: unsafe { self.handle.with_paths(paths) }, site: self.site };
         }
         self
+    }
+
+    /// As [`of_job`](Self::of_job) of the field whose memory the launch has at a place.
+    #[inline(always)]
+    pub fn of_task<'b, S: Space, T>(
+        self,
+        paths: &'b Paths,
+        task: &Task<'b, S>,
+        place: usize,
+        _: &Still<'a, T>,
+    ) -> View<'b, R, L, X, WRITE>
+    where
+        'a: 'b,
+        T: Source<Record = R, Layout = L, Axes = X> + ?Sized,
+    {
+        if const { !WRITE && Still::<T>::KNOWN } {
+            return View { handle: self.handle.at(task.still(place)), site: self.site };
+        }
+        self.of_job(paths)
     }
 
     /// The names of its members.

@@ -130,19 +130,26 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
         if const { Self::SPARSE && matches!(Self::KIND, Kind::Blocks) } {
             return Self::in_brick(handle, site, run, offset);
         }
-        let from = if const { matches!(Self::KIND, Kind::Any) } {
-            0
+        let (from, moved) = if const { matches!(Self::KIND, Kind::Any) } {
+            (0, 0)
         } else if const { matches!(Self::KIND, Kind::Even) } {
-            Self::zero(geometry).wrapping_add(sum::<X>(
+            let term = |a: usize, at: i64| {
+                let stride = Map::<R, L, X>::root_stride(geometry, Self::MEMBER, a);
+                (at as usize).wrapping_mul(stride).wrapping_mul(Self::STRIDE)
+            };
+            // Apart: where the run begins is the same for all of the member's lines, how far they are moved for all runs.
+            let begin = sum::<X>(
                 #[inline(always)]
-                |a| {
-                    let at = run.at[a].wrapping_add(offset[a]) as usize;
-                    at.wrapping_mul(Map::<R, L, X>::root_stride(geometry, Self::MEMBER, a)).wrapping_mul(Self::STRIDE)
-                },
-            ))
+                |a| term(a, run.at[a]),
+            );
+            let moved = sum::<X>(
+                #[inline(always)]
+                |a| term(a, offset[a]),
+            );
+            (Self::zero(geometry).wrapping_add(begin), moved)
         } else {
             // The launch has found that both fields have one origin.
-            Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_add(sum::<X>(
+            let from = Map::<R, L, X>::start(geometry, Self::MEMBER).wrapping_add(sum::<X>(
                 #[inline(always)]
                 |a| {
                     if a == S::AXIS {
@@ -152,9 +159,10 @@ impl<'a, R: Record, L: Layout<X>, X: Axes, P: Path<R>, S: Space, H: Whose> Line<
                         Self::block_term(&handle, a, run.block[a], run.inner[a] as i64 + offset[a])
                     }
                 },
-            ))
+            ));
+            (from, 0)
         };
-        let (start, place) = (handle.root.wrapping_add(from), run.inner[S::AXIS] as i64);
+        let (start, place) = (handle.root.wrapping_add(from).wrapping_add(moved), run.inner[S::AXIS] as i64);
         let (block, brick) = ([0; MAX_AXES], Cell::new(core::ptr::null_mut()));
         Self {
             handle,

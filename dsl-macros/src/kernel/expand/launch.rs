@@ -8,7 +8,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 use syn::Expr;
 
-use super::names::{self, Ends, handle, hidden, label, numbered, paths, plain, private, span};
+use super::names::{self, Ends, handle, hidden, label, numbered, paths, plain, private, span, still};
 use super::rewrite::{Rewrite, Scope};
 use super::{captures, contract, lanes, reductions};
 use crate::kernel::access::{Plan, View, plan};
@@ -16,6 +16,9 @@ use crate::kernel::arithmetic::is_arithmetic;
 use crate::kernel::key;
 use crate::kernel::lanes::is_cut;
 use crate::kernel::model::{Boundary, Branch, Call, Capture, Group, Head, Kernel, Loop, Sieve};
+
+/// Of so many fields a body gets the memory. The runtime knows the number, too.
+const MOST_STILL: usize = 4;
 
 /// A loop under expansion.
 pub(super) struct Launch<'a> {
@@ -154,10 +157,6 @@ pub(super) fn launch(kernel: &Kernel, number: usize) -> TokenStream {
 }
 
 impl Launch<'_> {
-    fn used(&self) -> impl Iterator<Item = Ident> + '_ {
-        self.plan.fields.keys().map(|field| handle(&self.kernel.fields[*field]))
-    }
-
     fn handles(&self) -> TokenStream {
         let private = private();
         let kernel = plain(&self.kernel.function.sig.ident);
@@ -169,12 +168,22 @@ impl Launch<'_> {
                 let path = names::path(field);
                 quote!(let #path = #private::path(&*#name);)
             });
+            let still = self.still(*number).map(|_| {
+                let still = still(&handle);
+                quote!(let #still = #private::still(&*#name);)
+            });
             match changes {
                 true => quote!(#path let #handle = #private::exclusive(&mut *#name, #site);),
-                false => quote!(#path let #handle = #private::shared(&*#name, #site);),
+                false => quote!(#path let #handle = #private::shared(&*#name, #site); #still),
             }
         });
         handles.collect()
+    }
+
+    /// The place of a field's memory among those of which the body gets it: the first that the loop only reads.
+    fn still(&self, field: usize) -> Option<usize> {
+        let unchanged = self.plan.fields.iter().filter(|(_, changes)| !**changes).take(MOST_STILL);
+        unchanged.enumerate().find_map(|(place, (&other, _))| (other == field).then_some(place))
     }
 
     /// The tag of a member.
@@ -338,18 +347,38 @@ impl Launch<'_> {
             [] => quote!(::core::option::Option::None),
             together => quote!(::core::option::Option::Some(#(#together)&&*)),
         };
+        let mut known: Vec<_> = self
+            .plan
+            .fields
+            .keys()
+            .filter(|field| self.still(**field).is_some())
+            .map(|field| {
+                let still = still(&handle(&self.kernel.fields[*field]));
+                quote!(#still.memory())
+            })
+            .collect();
+        known.resize(MOST_STILL, quote!(&[]));
         let ordered = self.parallel.topology.iter().any(|topology| topology.call == Call::Append);
         quote! {
             #private::Options {
-                kernel: #kernel, number: #number, fits: #fits, heavy: #heavy, scatter: #scatter, targets: &[#(#targets),*], together: #together, ordered: #ordered
+                kernel: #kernel, number: #number, fits: #fits, heavy: #heavy, scatter: #scatter, targets: &[#(#targets),*], still: [#(#known),*], together: #together, ordered: #ordered
             }
         }
     }
 
     /// Copies of the handles in the job's frame.
     pub(super) fn copies(&self) -> TokenStream {
-        let (paths, handles): (Vec<_>, Vec<_>) = self.used().map(|handle| (paths(&handle), handle)).unzip();
-        quote!(#(let #paths = #handles.paths(); let #handles = #handles.of_job(&#paths);)*)
+        let task = hidden("task");
+        let copies = self.plan.fields.keys().map(|field| {
+            let handle = handle(&self.kernel.fields[*field]);
+            let (paths, still) = (paths(&handle), still(&handle));
+            let of_job = match self.still(*field) {
+                Some(place) => quote!(of_task(&#paths, &#task, #place, &#still)),
+                None => quote!(of_job(&#paths)),
+            };
+            quote!(let #paths = #handle.paths(); let #handle = #handle.#of_job;)
+        });
+        copies.collect()
     }
 
     /// Hides the fields' names, so that what was not rewritten does not compile.

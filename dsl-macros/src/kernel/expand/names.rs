@@ -37,6 +37,11 @@ pub(super) fn paths(handle: &Ident) -> Ident {
     format_ident!("{}_paths", handle, span = Span::mixed_site())
 }
 
+/// What a handle's field lies in, where a loop only reads it.
+pub(super) fn still(handle: &Ident) -> Ident {
+    format_ident!("{}_still", handle, span = Span::mixed_site())
+}
+
 /// The promise of an unchecked kernel's caller.
 pub(super) fn unchecked() -> Ident {
     hidden("unchecked")

@@ -30,6 +30,7 @@ fn saxpy(
                 field: "x",
             },
         );
+        let __field_x_still = ::allotrope::__private::still(&*x);
         let __space = ::allotrope::__private::over(__field_y);
         let __fits = __space.fits(__field_x, [0], [0]);
         ::allotrope::__private::assert_shared(&a);
@@ -42,6 +43,7 @@ fn saxpy(
                 heavy: false,
                 scatter: ::core::option::Option::None,
                 targets: &[],
+                still: [__field_x_still.memory(), &[], &[], &[]],
                 together: ::core::option::Option::None,
                 ordered: false,
             },
@@ -50,7 +52,8 @@ fn saxpy(
                 let __field_y_paths = __field_y.paths();
                 let __field_y = __field_y.of_job(&__field_y_paths);
                 let __field_x_paths = __field_x.paths();
-                let __field_x = __field_x.of_job(&__field_x_paths);
+                let __field_x = __field_x
+                    .of_task(&__field_x_paths, &__task, 0usize, &__field_x_still);
                 let __held_a = ::allotrope::__private::Wrap(&a).hold();
                 let y = ::allotrope::__private::NotAnAccess;
                 let x = ::allotrope::__private::NotAnAccess;
@@ -133,6 +136,7 @@ fn smooth(
                 field: "u",
             },
         );
+        let __field_u_still = ::allotrope::__private::still(&*u);
         let __field_v = ::allotrope::__private::exclusive(
             &mut *v,
             &::allotrope::__private::Site {
@@ -156,13 +160,15 @@ fn smooth(
                 heavy: false,
                 scatter: ::core::option::Option::None,
                 targets: &[],
+                still: [__field_u_still.memory(), &[], &[], &[]],
                 together: ::core::option::Option::None,
                 ordered: false,
             },
             #[inline(always)]
             |__task| {
                 let __field_u_paths = __field_u.paths();
-                let __field_u = __field_u.of_job(&__field_u_paths);
+                let __field_u = __field_u
+                    .of_task(&__field_u_paths, &__task, 0usize, &__field_u_still);
                 let __field_v_paths = __field_v.paths();
                 let __field_v = __field_v.of_job(&__field_v_paths);
                 let u = ::allotrope::__private::NotAnAccess;
@@ -274,6 +280,7 @@ fn scatter(
                 field: "points",
             },
         );
+        let __field_points_still = ::allotrope::__private::still(&*points);
         let __field_grid = ::allotrope::__private::exclusive(
             &mut *grid,
             &::allotrope::__private::Site {
@@ -304,6 +311,7 @@ fn scatter(
                             ],
                         ),
                 ],
+                still: [__field_points_still.memory(), &[], &[], &[]],
                 together: ::core::option::Option::None,
                 ordered: false,
             },
@@ -315,7 +323,13 @@ fn scatter(
                 true,
                 &|__task, __sink| {
                     let __field_points_paths = __field_points.paths();
-                    let __field_points = __field_points.of_job(&__field_points_paths);
+                    let __field_points = __field_points
+                        .of_task(
+                            &__field_points_paths,
+                            &__task,
+                            0usize,
+                            &__field_points_still,
+                        );
                     let __field_grid_paths = __field_grid.paths();
                     let __field_grid = __field_grid.of_job(&__field_grid_paths);
                     let __held_mpm = ::allotrope::__private::Wrap(mpm).hold();
@@ -362,7 +376,13 @@ fn scatter(
             #[inline(always)]
             |__task| {
                 let __field_points_paths = __field_points.paths();
-                let __field_points = __field_points.of_job(&__field_points_paths);
+                let __field_points = __field_points
+                    .of_task(
+                        &__field_points_paths,
+                        &__task,
+                        0usize,
+                        &__field_points_still,
+                    );
                 let __field_grid_paths = __field_grid.paths();
                 let __field_grid = __field_grid.of_job(&__field_grid_paths);
                 let __held_mpm = ::allotrope::__private::Wrap(mpm).hold();
@@ -605,6 +625,7 @@ fn checked(u: &mut Field<f32, impl ::allotrope::Layout<::allotrope::I>>) {
                     heavy: false,
                     scatter: ::core::option::Option::None,
                     targets: &[],
+                    still: [&[], &[], &[], &[]],
                     together: ::core::option::Option::None,
                     ordered: false,
                 },
