@@ -18,7 +18,7 @@ use crate::{Built, Scene, SceneError};
 
 /// A layout of particles, whatever their record.
 trait OfPoints {
-    /// Whether transfers other than APIC are compiled in the default build too.
+    /// Whether, with a dense grid, transfers other than the usual are compiled in the default build too.
     const COMMON: bool;
     type Fluid: Layout<I> + 'static;
     type Affine<X: Dimensions>: Layout<I> + 'static;
@@ -131,9 +131,12 @@ fn is_sparse(layout: &str) -> bool {
     LAYOUTS.iter().any(|info| info.name == layout && info.sparse)
 }
 
-/// Whether a transfer is compiled in a layout of particles.
-const fn has_all_transfers<P: OfPoints>() -> bool {
-    P::COMMON || cfg!(feature = "all-layouts")
+/// The layouts of the default build in which all transfers are compiled.
+const COMMON: &[&str] = &["aos+row", "soa+soa"];
+
+/// Whether all transfers are compiled in a pair of layouts.
+const fn has_all_transfers<P: OfPoints, G: Layout<X>, X: Axes>() -> bool {
+    P::COMMON && !G::SPARSE || cfg!(feature = "all-layouts")
 }
 
 /// Why a scene makes no sense in a layout, if it does not.
@@ -144,10 +147,9 @@ pub(super) fn unfit(scene: &Scene, layout: &str) -> Option<&'static str> {
             "its domain is larger than a dense grid can be: take a layout with a sparse one, such as `aos+hash4`",
         );
     }
-    let common = layout.starts_with("aos+") || layout.starts_with("soa+");
-    if !common && setup.transfer.scheme != Scheme::Apic && !cfg!(feature = "all-layouts") {
+    if !COMMON.contains(&layout) && setup.transfer != Transfer::default() && !cfg!(feature = "all-layouts") {
         return Some(
-            "in the default build PIC, FLIP and PolyPIC have particles interleaved or in an array for each member: build with `--features all-layouts`",
+            "in the default build transfers other than APIC with quadratic splines and least squares are in two layouts alone: build with `--features all-layouts`",
         );
     }
     (layout.starts_with("hot+") && is_fluid(setup))
@@ -177,15 +179,21 @@ where
     if is_fluid(setup) {
         return boxed::<Fluid<X, P::Fluid, G>>(scene, setup, particles);
     }
-    match setup.transfer.scheme {
-        Scheme::Apic => boxed::<Continuum<X, Affine, P::Affine<X>, G>>(scene, setup, particles),
-        // A condition on types: what it leaves out is not compiled.
-        _ if const { !has_all_transfers::<P>() } => {
-            Err(SceneError::new(&*scene.file, "its transfer is not in this build in the layout that was asked for"))
-        }
-        Scheme::Pic | Scheme::Flip { .. } => boxed::<Continuum<X, Plain, P::Plain<X>, G>>(scene, setup, particles),
-        Scheme::PolyPic { .. } => boxed::<Continuum<X, Polynomial, P::Polynomial<X>, G>>(scene, setup, particles),
+    // A condition on types: what it leaves out is not compiled.
+    if const { has_all_transfers::<P, G, X>() } {
+        return match setup.transfer.scheme {
+            Scheme::Apic => boxed::<Continuum<X, Affine<true>, P::Affine<X>, G>>(scene, setup, particles),
+            Scheme::Pic | Scheme::Flip { .. } => boxed::<Continuum<X, Plain, P::Plain<X>, G>>(scene, setup, particles),
+            Scheme::PolyPic { .. } => boxed::<Continuum<X, Polynomial, P::Polynomial<X>, G>>(scene, setup, particles),
+        };
     }
+    if setup.transfer != Transfer::default() {
+        return Err(SceneError::new(
+            &*scene.file,
+            "its transfer is not in this build in the layout that was asked for",
+        ));
+    }
+    boxed::<Continuum<X, Affine<false>, P::Affine<X>, G>>(scene, setup, particles)
 }
 
 fn boxed<M: Medium + 'static>(scene: &Scene, setup: &MpmSetup, particles: &Particles) -> Built {

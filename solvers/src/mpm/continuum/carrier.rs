@@ -50,8 +50,8 @@ pub(in crate::mpm) trait Carrier<X: Dimensions>: Send + Sync + 'static {
     fn count_broken<P: Layout<I>>(points: &Field<Self::Point, P>, mpm: &Transfers<X>) -> u32;
 }
 
-/// A velocity and its gradient.
-pub(in crate::mpm) struct Affine;
+/// A velocity and its gradient; `ANY`: with any spline and forces, rather than quadratic splines and least squares alone.
+pub(in crate::mpm) struct Affine<const ANY: bool>;
 
 /// A velocity.
 pub(in crate::mpm) struct Plain;
@@ -97,7 +97,7 @@ macro_rules! same {
     };
 }
 
-impl<X: Dimensions> Carrier<X> for Affine {
+impl<X: Dimensions, const ANY: bool> Carrier<X> for Affine<ANY> {
     type Point = AffinePoint<X>;
     type Node = Node<X>;
 
@@ -134,10 +134,11 @@ impl<X: Dimensions> Carrier<X> for Affine {
         grid: &mut Field<Node<X>, G, X>,
         mpm: &Transfers<X>,
     ) {
-        if mpm.constants.is_usual() {
-            quadratic::particle_to_grid(points, grid, mpm);
-        } else {
+        // A condition on the type apart: what it leaves out is not compiled.
+        if const { ANY } && !mpm.constants.is_usual() {
             affine::particle_to_grid(points, grid, mpm);
+        } else {
+            quadratic::particle_to_grid(points, grid, mpm);
         }
     }
 
@@ -146,10 +147,10 @@ impl<X: Dimensions> Carrier<X> for Affine {
         grid: &Field<Node<X>, G, X>,
         mpm: &Transfers<X>,
     ) {
-        if mpm.constants.is_usual() {
-            quadratic::grid_to_particle(points, grid, mpm);
-        } else {
+        if const { ANY } && !mpm.constants.is_usual() {
             affine::grid_to_particle(points, grid, mpm);
+        } else {
+            quadratic::grid_to_particle(points, grid, mpm);
         }
     }
 }
