@@ -2,7 +2,8 @@
 //! records nothing, in turn.
 //!
 //! `cargo bench --bench probe` builds the three, runs each `ROUNDS` times (21 unless told) in turn, and prints the median time of each kernel, and the
-//! ratio to that of the first program with its 95 % bootstrap interval.
+//! ratio to that of the first program with its 95 % bootstrap interval. Where `valgrind` is installed it also prints the instructions of a call, which are
+//! the same in every run.
 
 use std::path::Path;
 use std::process::Command;
@@ -10,7 +11,7 @@ use std::{env, fs};
 
 use allotrope_lab::lab::statistics::{median, median_ratio_interval};
 
-/// Three kernels, each timed alone: the shortest of some calls, in nanoseconds.
+/// Three kernels, each timed alone: the shortest of some calls, in nanoseconds. Arguments name a kernel and how often it is called.
 const PROGRAM: &str = "use std::hint::black_box;
 use std::time::Instant;
 
@@ -58,12 +59,17 @@ fn particle_to_grid(points: &Field<Point, _>, grid: &mut Field<Node, _, Ij>, inv
 }
 
 fn shortest(name: &str, mut call: impl FnMut()) {
+    let mut arguments = std::env::args().skip(1);
+    if arguments.next().is_some_and(|only| only != name) {
+        return;
+    }
+    let calls = arguments.next().map_or(200, |calls| calls.parse().unwrap());
     let time = |_| {
         let start = Instant::now();
         call();
         start.elapsed().as_nanos()
     };
-    println!(\"{name} {}\", (0..200).map(time).min().unwrap());
+    println!(\"{name} {}\", (0..calls).map(time).min().unwrap());
 }
 
 fn main() {
@@ -125,6 +131,29 @@ fn run(program: &Path) -> Vec<(String, f64)> {
     String::from_utf8_lossy(&output.stdout).lines().map(line).collect()
 }
 
+/// Instructions of so many calls of a kernel, with all that is around them; nothing where they cannot be counted.
+fn instructions_of(program: &Path, kernel: &str, calls: u32) -> Option<f64> {
+    let mut command = Command::new("valgrind");
+    command
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+        .arg(program)
+        .arg(kernel)
+        .arg(calls.to_string());
+    // It knows no AVX-512.
+    let cpu = if allotrope::Cpu::Avx2.available() { "avx2" } else { "baseline" };
+    let output = command.env("ALLOTROPE_THREADS", "1").env("ALLOTROPE_CPU", cpu).output().ok()?;
+    let report = String::from_utf8_lossy(&output.stderr);
+    let count = report.lines().find_map(|line| line.split_once("Collected :"))?.1;
+    output.status.success().then(|| count.trim().parse().ok())?
+}
+
+/// Instructions of one call.
+fn instructions(program: &Path, kernel: &str) -> Option<f64> {
+    const CALLS: u32 = 40;
+    let of = |calls| instructions_of(program, kernel, calls);
+    Some((of(CALLS + 1)? - of(1)?) / f64::from(CALLS))
+}
+
 fn main() {
     // Cargo runs benches of a test run once, without `--bench`: nothing is measured then.
     if !env::args().any(|argument| argument == "--bench") {
@@ -139,15 +168,22 @@ fn main() {
             times[n].push(run(&programs[n]));
         }
     }
-    println!("| kernel | probe | microseconds | ratio | 95 % interval |\n|---|---|---|---|---|");
+    println!(
+        "| kernel | probe | microseconds | ratio | 95 % interval | instructions | ratio |\n|---|---|---|---|---|---|---|"
+    );
     let kernels: Vec<String> = times[0][0].iter().map(|(name, _)| name.clone()).collect();
     for (k, kernel) in kernels.iter().enumerate() {
         let of = |n: usize| -> Vec<f64> { times[n].iter().map(|run: &Vec<(String, f64)>| run[k].1).collect() };
+        let counts: Vec<_> = programs.iter().map(|program| instructions(program, kernel)).collect();
         for (n, build) in BUILDS.iter().enumerate() {
             let (own, without) = (of(n), of(0));
             let [low, high] = median_ratio_interval(&own, &without);
             let (time, ratio) = (1e-3 * median(&own), median(&own) / median(&without));
-            println!("| {kernel} | {} | {time:.3} | {ratio:.4} | {low:.4} to {high:.4} |", build.name);
+            let counted = match (counts[n], counts[0]) {
+                (Some(own), Some(without)) => format!("{own:.0} | {:.4}", own / without),
+                _ => "not counted | ".into(),
+            };
+            println!("| {kernel} | {} | {time:.3} | {ratio:.4} | {low:.4} to {high:.4} | {counted} |", build.name);
         }
     }
     println!("\n{rounds} runs of each program in turn, each time the shortest of 200 calls");

@@ -144,7 +144,7 @@ fn a_saved_state_goes_on_as_the_first_would_have() {
     ];
     for scene in scenes {
         let grouped = fit(&scene).contains(&"aosoa16+blocked4");
-        for layout in ["soa+soa", if grouped { "aosoa16+blocked4" } else { "aos+hash4" }] {
+        for layout in ["soa+soa", if grouped { "aosoa16+blocked4" } else { "aos+sparse4" }] {
             let mut first = build(&scene, layout);
             advance(&mut *first, schedule, 12);
             let state = first.save();

@@ -18,7 +18,7 @@ use crate::{Built, Scene, SceneError};
 
 /// A layout of particles, whatever their record.
 trait OfPoints {
-    /// Whether, with a dense grid, transfers other than the usual are compiled in the default build too.
+    /// Whether, with a grid that has bounds, transfers other than the usual are compiled in the default build too.
     const COMMON: bool;
     type Fluid: Layout<I> + 'static;
     type Affine<X: Dimensions>: Layout<I> + 'static;
@@ -132,11 +132,11 @@ fn is_sparse(layout: &str) -> bool {
 }
 
 /// The layouts of the default build in which all transfers are compiled.
-const COMMON: &[&str] = &["aos+row", "soa+soa"];
+const COMMON: &[&str] = &["aos+row", "soa+soa", "aos+sparse4"];
 
 /// Whether all transfers are compiled in a pair of layouts.
 const fn has_all_transfers<P: OfPoints, G: Layout<X>, X: Axes>() -> bool {
-    P::COMMON && !G::SPARSE || cfg!(feature = "all-layouts")
+    P::COMMON && !G::UNBOUNDED || cfg!(feature = "all-layouts")
 }
 
 /// Why a scene makes no sense in a layout, if it does not.
@@ -149,7 +149,7 @@ pub(super) fn unfit(scene: &Scene, layout: &str) -> Option<&'static str> {
     }
     if !COMMON.contains(&layout) && setup.transfer != Transfer::default() && !cfg!(feature = "all-layouts") {
         return Some(
-            "in the default build transfers other than APIC with quadratic splines and least squares are in two layouts alone: build with `--features all-layouts`",
+            "in the default build transfers other than APIC with quadratic splines and least squares go with some layouts alone: build with `--features all-layouts`",
         );
     }
     (layout.starts_with("hot+") && is_fluid(setup))
