@@ -99,8 +99,7 @@ impl<R: Record, L: Layout<X>, X: Axes> Handle<'_, R, L, X> {
     #[inline(always)]
     pub(crate) fn dense_bytes(&self) -> usize {
         if const { Map::<R, L, X>::is_one_run() } {
-            let (item, repeats) = const { Map::<R, L, X>::run_item() };
-            return self.geometry.cells * repeats * item;
+            return self.geometry.cells * const { Map::<R, L, X>::run_item() };
         }
         Map::<R, L, X>::bytes(&self.geometry).expect("the field has been allocated")
     }

@@ -70,7 +70,7 @@ fn memory<'a, R: Record, L: Layout<X>, X: Axes>(handle: &Handle<'a, R, L, X>) ->
 mod tests {
     use super::still;
     use crate::Field;
-    use crate::layout::{Aos, Blocked, Soa, Sparse};
+    use crate::layout::{Aos, Blocked, Soa, Sparse, Split};
 
     #[test]
     fn memory_is_known_where_all_of_it_is_borrowed_and_dense() {
@@ -80,6 +80,8 @@ mod tests {
         assert_eq!(still(&[1.0f32; 5][..]).memory().len(), 20);
         assert_eq!(still(&Field::<[f32; 3], Aos>::new([5])).memory().len(), 60);
         assert_eq!(still(&Field::<[f32; 3], Soa>::new([5])).memory().len(), 60);
+        // Each component's run is filled up to a line.
+        assert_eq!(still(&Field::<[f32; 3], Split>::new([5])).memory().len(), 3 * 64);
         assert!(still(&Field::<f32, Sparse<4>>::new([8, 8])).memory().is_empty());
     }
 }

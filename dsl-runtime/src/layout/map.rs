@@ -262,12 +262,14 @@ impl<R: Record, L: Layout<X>, X: Axes> Map<R, L, X> {
 
     /// Whether all of a field is one run of records without anything between them.
     pub(crate) const fn is_one_run() -> bool {
-        L::BRANCHES == 1 && !L::CHAIN.is_sparse() && Self::FLAT && Self::STREAMS.count == 1
+        // A run for each component ends with what is left of a line.
+        let one = Self::STREAMS.count == 1 && Self::STREAMS.streams[0].repeats == 1;
+        L::BRANCHES == 1 && !L::CHAIN.is_sparse() && Self::FLAT && one
     }
 
-    /// Bytes of one record of such a field, and how many times the run is repeated.
-    pub(crate) const fn run_item() -> (usize, usize) {
-        (Self::STREAMS.streams[0].item, Self::STREAMS.streams[0].repeats)
+    /// Bytes of one record of such a field.
+    pub(crate) const fn run_item() -> usize {
+        Self::STREAMS.streams[0].item
     }
 
     /// Bytes between the values of member `m` of neighbouring cells of the innermost node.

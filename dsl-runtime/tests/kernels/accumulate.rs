@@ -34,6 +34,31 @@ fn histograms_lose_no_count() {
     });
 }
 
+#[kernel]
+fn count_both(keys: &Field<u8, _>, both: &mut Field<IVec2, _>) {
+    for p in keys {
+        both[keys[p]] += ivec2(1, 2);
+    }
+}
+
+/// A component's run that does not fill its last cache line, before that of the next.
+#[test]
+fn every_component_of_a_bare_vector_is_combined() {
+    fn run<L: Layout<I>>() {
+        let mut keys = Field::<u8, Aos>::new([50_000]);
+        (0..50_000usize).for_each(|p| keys.set(p, (p % 5) as u8));
+        every_schedule(|| {
+            let mut both = Field::<IVec2, L>::new([5]);
+            count_both(&keys, &mut both);
+            assert_eq!(both.iter().collect::<Vec<_>>(), [ivec2(10_000, 20_000); 5]);
+        });
+    }
+    run::<Aos>();
+    run::<Soa>();
+    run::<Split>();
+    run::<AoSoA<4>>();
+}
+
 /// What was found of a key.
 #[derive(Record, Clone, Copy, Debug, PartialEq)]
 struct Found {
